@@ -8,7 +8,8 @@ Left (Fig. 7): mu of the runs against mu of the law; runs that differ in their s
 point, as in the fit. Right (Fig. 8): the pressure-dependent part of
 the law, mu without its velocity term, against kappa2. Without a fitted law the paper's is used.
 A law of one material (wr_fit --material) is refused.
-With a power of kappa3 in wr_fit's model, mu of the runs is brought to the law's kappa3 by it.
+With a power of kappa3 or of the ductility in wr_fit's model, mu of the runs is brought to that of
+the law by it.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
@@ -28,10 +29,15 @@ OF_MATERIAL = "mca-friction-law 2"  # format
 Contents = tuple[dict[str, Any] | None, float, list[dict[str, Any]], Any]
 
 
+# what a law may have a power of, and how it is written
+THIRD = {"kappa3": "$\\kappa_3$", "ductility": "ductility"}
+
+
 def points_of(data: dict[str, Any]) -> list[dict[str, Any]]:
     """What is fitted, replicas as one point, and the runs that are left out, of wr_fit's JSON."""
     report = tables.checked_report(data)["report"]
-    names = ("kappa1", "kappa2", "kappa3", "mu", "mu_se")
+    more = THIRD.keys() & report.get("fit", {}).keys()
+    names = {"kappa1", "kappa2", "kappa3", "mu", "mu_se", *more}
     fitted = [
         {
             **{name: tables.number(c[name]) for name in names},
@@ -50,12 +56,12 @@ def contents(data: dict[str, Any]) -> Contents:
     points, fit = points_of(data), data["report"].get("fit", {})
     if not points:
         raise ValueError("it holds no point")
-    if "kappa3" in fit:
+    for third in THIRD.keys() & fit.keys():
         if law is None:
-            raise ValueError("it holds kappa3, but no law")
-        law["kappa3"] = tables.number(fit["kappa3"])
+            raise ValueError(f"it holds {third}, but no law")
+        law[third] = tables.number(fit[third])
         exponent = tables.number(fit["parameters"]["n"]["value"])
-        factors = [(law["kappa3"] / tables.number(p["kappa3"])) ** exponent for p in points]
+        factors = [(law[third] / tables.number(p[third])) ** exponent for p in points]
         points = [
             {**p, **{key: None if p[key] is None else f * p[key] for key in ("mu", "mu_se")}}
             for f, p in zip(factors, points)
@@ -114,8 +120,10 @@ def draw(
     shown, shown_rms, name = (
         (law, rms, "our fit") if law else (PAPER, PAPER_RMS, "Eq. 3 of the paper")
     )
-    of_runs = "$\\mu$ of the runs" + (
-        f", brought to $\\kappa_3$ = {law['kappa3']:.4g}" if law and "kappa3" in law else ""
+    of_runs = "$\\mu$ of the runs" + "".join(
+        f", brought to {word} = {law[third]:.4g}"
+        for third, word in THIRD.items()
+        if law and third in law
     )
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.8), constrained_layout=True)
 

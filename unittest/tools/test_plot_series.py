@@ -81,6 +81,17 @@ def test_bars_of_plot_fit_are_too():
         assert drawn["t95"] == t95 and drawn["mu_se"] == 0.02
 
 
+@pytest.mark.parametrize("third", ["kappa3", "ductility"])
+def test_plot_fit_brings_runs_to_the_number_of_the_law(third):
+    condition = {"kappa1": 1.0, "kappa2": 9.0, "kappa3": 400.0, "mu": 0.4, "mu_se": 0.02}
+    condition |= {third: 400.0, "runs": [0]}
+    fit = {third: 100.0, "parameters": {"n": {"value": 0.5}}}
+    report = {"points": [point(0.4)], "conditions": [condition], "fit": fit}
+    law = {"mu0": 0.4, "mu1": 0, "mu2": 0, "b": 0, "c": 0}
+    _, _, (drawn,), _ = load("plot_fit.py").contents({**law, "report": report})
+    assert drawn["mu"] == pytest.approx(0.2) and drawn["mu_se"] == pytest.approx(0.01)
+
+
 @pytest.mark.parametrize(
     "law",
     [
