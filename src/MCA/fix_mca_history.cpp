@@ -312,6 +312,7 @@ void FixMCAHistory::check_begin() const
                "Pair style mca: a command of run every has run, too, at step {}: LAMMPS sets up no "
                "fix behind it; begin a run of its own",
                update->firststep);
+  mca->check_count();
   if (!in_order() || !are_ghosts_in_order())
     error->one(
         FLERR,
