@@ -132,6 +132,7 @@ def fit(
     material: _Path | None = None,
     solid_only: bool = False,
     kappa3: float | None = None,
+    ductility: float | None = None,
     kappa2_min: float = 2.0,
     level: float | None = None,
     include_drifting: bool = False,
