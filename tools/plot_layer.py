@@ -167,7 +167,7 @@ def table_text(table: Any) -> str:
     return text.getvalue()
 
 
-def draw(path: str, frames: Any, table: Any, step: int, length: Any, time: Any) -> bytes:
+def draw(path: str, frames: Any, table: Any, step: float, length: Any, time: Any) -> bytes:
     """Bytes of the picture."""
     figure, (left, middle, right) = plotting.pyplot().subplots(
         1, 3, figsize=(10.5, 3.8), layout="constrained"

@@ -200,11 +200,11 @@ class RunFolder:
                     f"{self.file(name)}: is damaged, or was changed since the run finished (the "
                     f"checksum in run.json does not fit): {AGAIN}"
                 )
-        old, now = record["parameters"]["ns"], self.run.values["ns"]
-        reached = old if self.has(LOG) else self.time()
-        if reached > now * (1 + 1e-9):
+        planned = self.run.values["ns"]
+        reached = record["parameters"]["ns"] if self.has(LOG) else self.time()
+        if reached > planned * (1 + 1e-9):
             raise FolderError(
-                f"{self.path}: was run for {reached:g} ns, the plan says {now:g}: "
+                f"{self.path}: was run for {reached:g} ns, the plan says {planned:g}: "
                 "a run can be made longer, not shorter"
             )
 
