@@ -76,7 +76,7 @@ def law_lines(report: dict[str, Any]) -> list[str]:
             + (
                 f"RMS {100 * model['rms_relative']:.1f} %, AICc {aicc}"
                 if "rms_relative" in model
-                else model["why_not"]
+                else model["why_not"].removeprefix("the conditions have ")
             )
         )
     return lines

@@ -182,7 +182,7 @@ def test_every_command_is_known(page):
 
 def test_commands_are_found():
     commands = commands_of(ROOT / "doc" / "wr_fit.md")
-    assert sum(command.startswith("wr_fit ") for command in commands) == 7
+    assert sum(command.startswith("wr_fit ") for command in commands) == 8
     assert program_of("mpirun -np 2 build/bin/lmp -in in.x") == "lmp"
     assert program_of("../../tools/plot_layer.py x") == "plot_layer.py"
     assert not program_of("campaign: 3") and not program_of("gate | holds")
