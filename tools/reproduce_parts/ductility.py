@@ -37,7 +37,7 @@ def ductility(report: dict[str, Any], picture: str) -> list[str]:
     )
     power = body["fit"]["parameters"]["n"]
     x = number / body["fit"]["ductility"]
-    draw(plans, x, mu / (mu / (1 + left) / x ** power["value"]), error / mu, power, picture)
+    draw(plans, x, (1 + left) * x ** power["value"], error / mu, power, picture)
     rows = [
         [
             name,
