@@ -4,14 +4,15 @@
 
     dump_to_vtk.py friction.dump -o friction
     dump_to_vtk.py friction.dump --links links.dump -o friction
+    dump_to_vtk.py run.*.dump -o run
 
 DUMP is a text dump of atoms (dump custom) with the columns id, x and y (or xu, yu) and any others,
---links one of compute mca/link/local (dump local) with both IDs and any others. Writes NAME.pvd,
-the frames with their times, NAME_links.pvd likewise, and the frames (*.vtu) in the folder
+--links one of compute mca/link/local (dump local) with both IDs and any others. Each may be several
+files; of frames that stand twice, as a continued run leaves them, the later one counts. Writes
+NAME.pvd, the frames with their times, NAME_links.pvd likewise, and the frames (*.vtu) in the folder
 NAME_frames. A frame of links needs the automata of the same step. Links across a periodic side are
 left out: they would be drawn through the box. The columns element and typelabel, which hold words,
-are left out with a note; all others hold numbers. Of frames that stand twice in a dump, as a
-continued run leaves them, the later one counts. Frames and links of an earlier call with the same
+are left out with a note; all others hold numbers. Frames and links of an earlier call with the same
 NAME go. Exit codes: 0 ok, 1 no meshio, 2 usage, 3 bad input file, 5 a file cannot be written.
 """
 
@@ -33,15 +34,24 @@ WORDS = {"element", "typelabel"}  # columns of dump custom
 ENDS = [("batom1", "batom2"), ("id1", "id2")]
 
 
-def read(path: str) -> tuple[Dump, dict[int, int]]:
-    """(the dump, {step: number of its frame})"""
-    dump = Dump(path)
-    if dump.cut:
-        complain(f"{path}: the last frame is cut and left out")
-    words = sorted(WORDS & {name for frame in dump.frames for name in frame["names"]})
-    if words:
-        complain(f"note: {path}: left out, since it holds words: {', '.join(words)}")
-    return dump, {frame["step"]: number for number, frame in enumerate(dump.frames)}
+class Frames:
+    """The frames of several dumps: at[step] is (dump, number of the frame in it). cut: whether a
+    last frame was left out."""
+
+    def __init__(self, paths: list[str]) -> None:
+        self.at: dict[int, tuple[Dump, int]] = {}
+        self.cut = False
+        words: dict[str, str] = {}  # column: the first dump that has it
+        for path in paths:
+            dump = Dump(path)
+            for number, frame in enumerate(dump.frames):
+                self.at[frame["step"]] = dump, number
+                words |= {name: path for name in WORDS & set(frame["names"]) - words.keys()}
+            if dump.cut:
+                complain(f"{path}: the last frame is cut and left out")
+                self.cut = True
+        for name, path in sorted(words.items()):
+            complain(f"note: {path}: left out, since it holds words: {name}")
 
 
 class Writer:
@@ -212,48 +222,44 @@ def convert(given: argparse.Namespace, writer: Writer) -> str:
     """Writes all frames; returns what is to be said."""
     import numpy
 
-    automata, numbers = read(given.dump)
-    links: Any
-    links, link_numbers = read(given.links) if given.links else (None, {})
-    if links and any(frame["triclinic"] for frame in links.frames):
-        raise BadInput(f"{links.path}: links of a triclinic box cannot be drawn")
+    automata, links = Frames(given.dump), Frames(given.links)
+    for dump, number in links.at.values():
+        if dump.frames[number]["triclinic"]:
+            raise BadInput(f"{dump.path}: links of a triclinic box cannot be drawn")
     if automata.cut:  # the run may have written one dump further than the other
-        link_numbers = {step: n for step, n in link_numbers.items() if step <= max(numbers)}
-    for step, number in link_numbers.items():
-        if step not in numbers:
+        links.at = {step: at for step, at in links.at.items() if step <= max(automata.at)}
+    for step, (dump, number) in links.at.items():
+        if step not in automata.at:
             raise BadInput(
-                f"{links.path}:{links.frames[number]['head'] + 1}: {given.dump} has no complete "
-                f"frame of step {step}"
+                f"{dump.path}:{dump.frames[number]['head'] + 1}: {' '.join(given.dump)} has no "
+                f"complete frame of step {step}"
             )
     left_out = 0
-    for step, number in sorted(numbers.items()):
-        columns = arrays(automata, number, INTEGERS)
-        points = positions(automata, number, columns)
+    for step, (dump, number) in sorted(automata.at.items()):
+        columns = arrays(dump, number, INTEGERS)
+        points = positions(dump, number, columns)
         rows = numpy.arange(len(points)).reshape(-1, 1)
-        writer.frame(
-            "", "automata", automata.frames[number], points, [("vertex", rows)], columns, {}
-        )
-        if step in link_numbers:
-            frame = links.frames[link_numbers[step]]
-            ends = ends_of(links, link_numbers[step], given.ends)
-            cells = arrays(links, link_numbers[step], {*INTEGERS, *ends})
-            drawn, pairs = lines(
-                links, link_numbers[step], ends, cells, columns["id"], points, given.dump
-            )
+        writer.frame("", "automata", dump.frames[number], points, [("vertex", rows)], columns, {})
+        if step in links.at:
+            source = dump.path
+            dump, number = links.at[step]
+            ends = ends_of(dump, number, given.ends)
+            cells = arrays(dump, number, {*INTEGERS, *ends})
+            drawn, pairs = lines(dump, number, ends, cells, columns["id"], points, source)
             left_out += len(drawn) - len(pairs)
             writer.frame(
                 "_links",
                 "links",
-                frame,
+                dump.frames[number],
                 points,
                 [("line", pairs)],
                 {},
                 {name: values[drawn] for name, values in cells.items()},
             )
-    said = f"{given.output}.pvd: {len(numbers)} frames"
-    if links:
+    said = f"{given.output}.pvd: {len(automata.at)} frames"
+    if given.links:
         said += (
-            f"; {given.output}_links.pvd: {len(link_numbers)} frames, {left_out} links across a "
+            f"; {given.output}_links.pvd: {len(links.at)} frames, {left_out} links across a "
             "periodic side "
             "left out"
         )
@@ -262,12 +268,17 @@ def convert(given: argparse.Namespace, writer: Writer) -> str:
 
 def arguments() -> argparse.Namespace:
     parser = Parser(__doc__)
-    parser.add_argument("dump", type=file_name, metavar="DUMP")
+    parser.add_argument("dump", type=file_name, metavar="DUMP", nargs="+")
     parser.add_argument(
         "-o", "--output", type=file_name, metavar="NAME", help="[the dump's name without .dump]"
     )
     parser.add_argument(
-        "--links", type=file_name, metavar="DUMP", help="dump local of compute mca/link/local"
+        "--links",
+        type=file_name,
+        metavar="DUMP",
+        nargs="+",
+        default=[],
+        help="dumps local of compute mca/link/local",
     )
     parser.add_argument(
         "--ends",
@@ -283,7 +294,9 @@ def arguments() -> argparse.Namespace:
         help="time of a step, where the dump has no times (dump_modify time yes) [1]",
     )
     given = parser.parse_args()
-    given.output = given.output or given.dump.removesuffix(".dump")
+    if len(given.dump) > 1 and not given.output:
+        parser.error("-o is needed with several dumps")
+    given.output = given.output or given.dump[0].removesuffix(".dump")
     if not os.path.basename(given.output):
         parser.error(f"-o {given.output}: the name of a file without its ending is needed")
     if given.ends and not given.links:

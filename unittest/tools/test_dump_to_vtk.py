@@ -231,6 +231,21 @@ def test_frame_without_links(tmp_path):
     assert (piece.get("NumberOfPoints"), piece.get("NumberOfCells")) == ("3", "0")
 
 
+def test_several_dumps(tmp_path):
+    """A file a frame; step 1 stands twice, and the later file counts."""
+    moved = ATOMS.format(1).replace("3 1 0 0", "3 1 0.5 0")
+    files = {"a": ATOMS.format(0) + ATOMS.format(1), "b": moved, "l": LINKS.format(1)}
+    for name, content in files.items():
+        (tmp_path / f"{name}.dump").write_text(content)
+    done = convert(tmp_path, "b.dump")
+    assert done.returncode == 2 and "-o is needed" in done.stderr
+    done = convert(tmp_path, "b.dump", "-o", "out", "--links", "l.dump")
+    assert done.returncode == 0, done.stderr
+    assert "out.pvd: 2 frames; out_links.pvd: 1 frames" in done.stdout + done.stderr
+    frames = dict(collection(tmp_path / "out.pvd"))
+    assert [vtu(frames[step])[0][0, 0] for step in (0, 1)] == [0, 0.5]
+
+
 def test_cut_frame_is_left_out(tmp_path):
     done = convert(
         tmp_path,
