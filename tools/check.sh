@@ -9,8 +9,8 @@ usage() {
 Usage: check.sh [--all] [--sanitize] [CTEST-OPTION...]
 
 Does the set-up (tools/setup.sh), then runs the tests: GoogleTest and pytest, through CTest.
-Fails if a test fails, is skipped or disabled, or if there is none. Options are given to ctest,
-for instance -R hertz (only the tests with that name). The output is kept in build/check.log.
+Fails if a test fails, is skipped or disabled, or if there is none. Other options are those of
+ctest, for instance -R hertz (only the tests with that name). The output is kept in build/check.log.
 No test needs root; the form of the sources is held by tools/gate, which is no part of this.
 
   --all       long tests and drills, too (doc/testing.md): as CI does
@@ -21,18 +21,17 @@ Environment: as for setup.sh
 Exit codes: 0 all passed, 1 a test failed or the build did, 2 usage, 5 packages, download or files.
 HELP
 }
-options=() without=(-LE 'drill|long')
-while true; do
-  case ${1:-} in
+options=() without=(-LE 'drill|long') for_ctest=()
+for arg in "$@"; do
+  case $arg in
     -h | --help) usage; exit 0 ;;
     --all) without=() ;;
     --sanitize)
       [ -n "${MCAWR_BUILD:-}" ] || build=$root/build-sanitize
       options=(-DSANITIZE=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo)
       ;;
-    *) break ;;
+    *) for_ctest+=("$arg") ;;
   esac
-  shift
 done
 export MCAWR_BUILD=$build
 
@@ -47,7 +46,7 @@ export MCAWR_BUILD=$build
   export OMPI_MCA_mpi_yield_when_idle=1
   # two more at once than cores: many wait for what they have started most of the time
   ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(($(nproc) + 2))" \
-    "${without[@]}" "$@" 2>&1 | tee "$log" || status=1
+    "${without[@]}" "${for_ctest[@]}" 2>&1 | tee "$log" || status=1
   [ $status -eq 0 ] || die 1 "tests failed; log: $log"
 
   # ctest counts skipped and disabled tests as passed, and so does pytest

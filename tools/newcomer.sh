@@ -87,7 +87,10 @@ inside() { # COMMAND
 
 mkdir -p "$tree" || die 5 "cannot make the folder '$tree'"
 tree=$(readlink -f "$tree")
-[ -d "$tree/usr" ] || make_tree
+if [ ! -d "$tree/home/newcomer" ]; then # what is made last
+  [ ! -d "$tree/usr" ] || die 5 "$tree: is not a whole tree (its making was interrupted?): remove it"
+  make_tree
+fi
 copy_settings
 copy_project
 mkdir -p "$tree/log"
