@@ -361,11 +361,12 @@ SHIPPED = {
     "viscosity": 2,
     "roughness": 6,
     "smoke": 6,
-    "convergence": 36,
+    "convergence": 24,
     "ductility": 28,
     "width": 84,
+    "light": 5,
     "own-material": 10,
-    "temperature": 15,
+    "temperature": 10,
     "rail": 80,
     "rail-checks": 20,
     "space": 16,
@@ -390,7 +391,10 @@ def test_shipped_plans(name, least):
 PAPER = ["paper36", "equal-kappas", "similar", "velocity", "pressure"]
 
 
-@pytest.mark.parametrize("name", [*PAPER, "viscosity", "roughness", "own-material", "ductility"])
+OTHERS = ["viscosity", "roughness", "own-material", "ductility", "convergence", "temperature"]
+
+
+@pytest.mark.parametrize("name", [*PAPER, *OTHERS])
 def test_runs_slide_500_nm(name):
     for run in plans.read(plans.find(name)).runs:
         assert run.values["v"] * run.values["ns"] >= 499.9, run.name
