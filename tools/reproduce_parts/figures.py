@@ -410,4 +410,10 @@ FIGURES = {
         LATE,
     ),
     "width": Figure(f"How wide a fragment has to be, {FROM}", ["width"], width.width, START),
+    "light": Figure(
+        f"Light loads in blocks of 640 columns, {FROM}",
+        ["light", "pressure", "paper36"],
+        width.light,
+        START,
+    ),
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How wide a fragment has to be: the plan `width`, by the rules in its head."""
+"""How wide a fragment has to be: the plans `width` and `light`, by the rules of
+doc/how_chosen.md."""
 
 import math
 from typing import Any
@@ -11,7 +12,8 @@ from campaign_parts import size
 from mcawr.files import save_figure
 from mcawr.replicas import NORMAL, groups, mean_of
 
-from .common import percent, planned, run_name, table, with_own_errors
+from .common import Missing, percent, plan_name, planned, run_name, table, with_own_errors
+from .dots import dots
 
 ENOUGH = 0.03  # of mu: what twice and four times the width may change beyond the errors
 WIDEST = 320  # columns
@@ -102,3 +104,44 @@ def decided(ratios: list[tuple[int, float, float]]) -> list[str]:
         scatter, bins = scatter_in_bins([row[at] for row in ratios], values)
         lines.append(f"  by {title}: {100 * scatter:.1f} %, {bins} bins")
     return lines
+
+
+def light(report: dict[str, Any], picture: str) -> list[str]:
+    """mu of the conditions of the plan light over that of the same in the size that their load
+    gets, in the plans pressure and paper36; the mean of the ratios."""
+    points = with_own_errors(report["report"]["points"])
+    of = {name: planned(name, runs) for name, runs in groups(points, plan_name).items()}
+    rows, names, ratios, bars = [], [], [], []
+    for name, members in groups(points, lambda p: run_name(p).split("-seed")[0]).items():
+        plans = groups(members, plan_name)
+        if (wide := plans.pop("light", None)) is None:
+            continue
+        if len(plans) != 1:
+            raise Missing(f"{name}: stands in {len(plans)} of the plans pressure and paper36")
+        cells, means = [], [mean_of(runs) for runs in (*plans.values(), wide)]
+        for runs, (mu, error) in zip((*plans.values(), wide), means):
+            planned_as = of[plan_name(runs[0])][run_name(runs[0])]
+            cells += [f"{size.junctions(planned_as):.2g}", f"{mu:.3f} +- {error:.3f}"]
+        names.append(name)
+        ratios.append(means[1][0] / means[0][0])
+        bars.append(ratios[-1] * math.hypot(*(error / mu for mu, error in means)))
+        kappa2, eq2 = f"{wide[0]['kappa2']:.3g}", f"{wide[0]['mu_eq2']:.3f}"
+        rows.append([name, kappa2, eq2, *cells, f"{ratios[-1]:.2f} +- {bars[-1]:.2f}"])
+    if not rows:
+        raise Missing("no run of the plan light")
+    mean, error = np.mean(ratios), math.hypot(*bars) / len(ratios)
+    if len(ratios) > 1:
+        error = max(error, np.std(ratios, ddof=1) / math.sqrt(len(ratios)))
+    dots(
+        names,
+        ratios,
+        [NORMAL * bar for bar in bars],
+        picture,
+        "$\\mu$(640 columns)/$\\mu$",
+        [
+            (1, {"color": "k", "ls": "--"}, "the size that the load gets"),
+            (mean, {"color": "C1"}, "mean"),
+        ],
+    )
+    head = ["", "kappa2", "Eq. 2", "junctions", "mu", "640 columns", "mu", "over it"]
+    return [*table(head, rows), f"mean of the ratios: {mean:.3f} +- {error:.3f}"]

@@ -361,12 +361,12 @@ SHIPPED = {
     "viscosity": 2,
     "roughness": 6,
     "smoke": 6,
-    "convergence": 24,
+    "convergence": 36,
     "ductility": 28,
     "width": 84,
-    "light": 5,
+    "light": 6,
     "own-material": 10,
-    "temperature": 10,
+    "temperature": 15,
     "rail": 80,
     "rail-checks": 20,
     "space": 16,
@@ -391,7 +391,7 @@ def test_shipped_plans(name, least):
 PAPER = ["paper36", "equal-kappas", "similar", "velocity", "pressure"]
 
 
-OTHERS = ["viscosity", "roughness", "own-material", "ductility", "convergence", "temperature"]
+OTHERS = ["viscosity", "roughness", "own-material", "ductility", "light"]
 
 
 @pytest.mark.parametrize("name", [*PAPER, *OTHERS])
@@ -434,7 +434,7 @@ EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")
 FAINT = ("faint", "light")  # below 0.02 of the strength
 LONG_STEP = {
     **{"base": 9, "smooth": 7, "dense": 6, "strong": 8, "soft": 5},
-    **{"thin": 4, "thick": 4, "light": 5, "faint": 5, "stiff": 3, "slow": 2},
+    **{"thin": 4, "thick": 4, "light": 6, "faint": 5, "stiff": 3, "slow": 2},
 }
 
 

@@ -339,6 +339,15 @@ def test_width_tells_what_is_enough(tmp_path):
     assert by_columns < 1 and 5 < by_junctions < 20
 
 
+def test_light_loads_over_those_of_narrow_blocks(tmp_path):
+    for plan, factor in (("light", 1.2), ("pressure", 1.0), ("paper36", 1.0)):
+        logs(tmp_path, plan, lambda run, factor=factor: factor)
+    text = made(tmp_path, "light", reproduce(tmp_path, "light"))
+    _, _, narrow, _, _, wide, *_ = line(text, "r07")  # junctions
+    assert wide / narrow == pytest.approx(4, rel=0.1)
+    assert line(text, "mean of the ratios:")[0] == pytest.approx(1.2, abs=0.01)
+
+
 def test_missing_logs_are_one_clear_line(tmp_path):
     (tmp_path / "logs").mkdir()
     done = reproduce(tmp_path, "fig4")
