@@ -434,7 +434,7 @@ EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")
 FAINT = ("faint", "light")  # below 0.02 of the strength
 LONG_STEP = {
     **{"base": 9, "smooth": 7, "dense": 6, "strong": 8, "soft": 5},
-    **{"thin": 4, "thick": 4, "light": 6, "faint": 5, "stiff": 3, "slow": 2},
+    **{"thin": 4, "thick": 4, "light": 5, "faint": 5, "stiff": 3, "slow": 2},
 }
 
 
