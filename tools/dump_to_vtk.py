@@ -276,9 +276,9 @@ def arguments() -> argparse.Namespace:
         "--links",
         type=file_name,
         metavar="DUMP",
-        nargs="+",
+        action="append",
         default=[],
-        help="dumps local of compute mca/link/local",
+        help="dump local of compute mca/link/local; may stand several times",
     )
     parser.add_argument(
         "--ends",
