@@ -129,9 +129,7 @@ def light(report: dict[str, Any], picture: str) -> list[str]:
         rows.append([name, kappa2, eq2, *cells, f"{ratios[-1]:.2f} +- {bars[-1]:.2f}"])
     if not rows:
         raise Missing("no run of the plan light")
-    mean, error = float(np.mean(ratios)), math.hypot(*bars) / len(ratios)
-    if len(ratios) > 1:
-        error = max(error, float(np.std(ratios, ddof=1)) / math.sqrt(len(ratios)))
+    mean, error = mean_of([{"mu": y, "mu_se": bar} for y, bar in zip(ratios, bars)])
     dots(
         names,
         ratios,
