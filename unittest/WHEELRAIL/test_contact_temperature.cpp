@@ -50,6 +50,30 @@ TEST(FlashTemperature, HertzianHeatGivesTheExactCoefficients)
   EXPECT_NEAR(1.0 - (place + 0.5) / n, 0.8261, 1e-3); // from the leading edge
 }
 
+TEST(FlashTemperature, IsThatOfAHalfSpaceAtALargePecletNumber)
+{
+  // Jaeger's moving source, exact: exp(L t) K0(L |t|) at the distance t behind it, -2 .. 2 of the
+  // half-widths, has (2 - |t|)/2 as its share in the mean over a uniform strip
+  const auto mean = [](double peclet) {
+    const int n = 20000;
+    double sum = 0.0;
+    for (const double side : {-1.0, 1.0})
+      for (int k = 0; k < n; ++k) { // t = w^2 takes the singularity away
+        const double w = std::sqrt(2.0) * (k + 0.5) / n, t = w * w;
+        sum += 2.0 * w * std::exp(side * peclet * t) * std::cyl_bessel_k(0.0, peclet * t) *
+               (1.0 - 0.5 * t) * std::sqrt(2.0) / n;
+      }
+    return sum / mcawr::pi; // of q a/lambda
+  };
+  for (const auto &[peclet, ratio] : {std::pair{1.0, 0.9405}, {10.0, 0.9857}, {100.0, 0.9983}}) {
+    const int n = 400;
+    FlashTemperature flash(n, 2.0 / n, 2.0 * peclet, {1.0, 1.0, 1.0});
+    const Vector heat = Vector::Constant(n, 2.0); // half of it into this body
+    EXPECT_NEAR(pecletNumber(1.0, 2.0 * peclet, {1.0, 1.0, 1.0}), peclet, 1e-12);
+    EXPECT_NEAR(flash.rise(heat).mean() / mean(peclet), ratio, 1e-3) << peclet;
+  }
+}
+
 TEST(FlashTemperature, HasNoBiasOfTheOrderOfRootH)
 {
   // Uniform heat on a strip: Theta = q sqrt(d/(pi lambda rho c v)) at distance d, exact per cell

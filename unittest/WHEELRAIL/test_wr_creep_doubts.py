@@ -8,6 +8,8 @@ import pytest
 from patch_runs import CASE, SOURCE, gsf_map, run, table
 
 LINE = SOURCE / "examples/wheelrail/table2.yaml"
+HEAT = "thermal={model: averaged, conductivity: 50 W/(m K), density: 7800 kg/m^3, "
+HEAT += "specific_heat: 450 J/(kg K)}"
 CONSTANT = "friction={law: constant, mu: 0.3}"
 
 
@@ -34,6 +36,7 @@ def test_plausible_cases_have_no_warning(case, tmp_path):
         (["lateral=-1.5"], "lateral: -1.5 (-150 %); above 1"),
         (["creep=0", "spin=0.5 1/mm"], "spin at the contact's edge: 2 (200 %); above 1"),
         (["speed=[900 m/s]"], "speed: 900 m/s (3240 km/h); no wheel"),
+        (["speed=[5 mm/s]", HEAT], "at speed: 0.005 m/s; temperatures are of heat that flows"),
         (["contact.load=11000 kN"], "above youngs_modulus/50 = 4198 MPa"),
         (
             ["contact.load=100 kN", "friction={law: bucher2006, strength: 552 MPa}"],
@@ -59,6 +62,7 @@ def test_a_patch_that_cannot_be_meant(changes, expected, case, tmp_path):
         (["contact.load_per_length=4e8 N/mm"], "contact: it reaches 1486 mm"),
         (["contact.load_per_length=4e6 N/mm"], "peak pressure"),
         (["speed=[720 m/s]"], "speed: 720 m/s (2592 km/h); no wheel"),
+        (["speed=[20 mm/s]", HEAT], "the Peclet number is 3.3 at speed: 0.02 m/s; temperatures"),
         (["contact.radius=460 m"], "a rolling radius of 460 m; no wheel"),
         (
             ["friction={law: constant, mu: 0.3, memory_length: 0.1 mm}"],

@@ -59,6 +59,11 @@ double bulkOfContact(const ThermalMaterial &wheel, const ThermalMaterial &rail,
   return (ofWheel * bulk[0] + ofRail * bulk[1]) / (ofWheel + ofRail);
 }
 
+double pecletNumber(double halfWidth, double speed, const ThermalMaterial &material)
+{
+  return 0.5 * speed * halfWidth * material.density * material.specificHeat / material.conductivity;
+}
+
 double meanTemperatureCoefficient()
 {
   return 8.0 * std::sqrt(2.0) / (15.0 * std::sqrt(pi));

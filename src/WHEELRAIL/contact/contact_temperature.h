@@ -17,6 +17,11 @@ struct ThermalMaterial {
   double specificHeat; ///< J/(kg K)
 };
 
+/// v0 a/(2 kappa), how much faster the contact moves on than heat spreads along it, -.
+/// \param halfWidth a, m, of a patch the semi-axis along the way
+/// \param speed v0, m/s, > 0
+double pecletNumber(double halfWidth, double speed, const ThermalMaterial &material);
+
 /// The material of two equal bodies between which heat makes the same temperature as between these
 /// two: at a large Peclet number only the effusivity sqrt(lambda rho c_p) counts, and its sum over
 /// both bodies (Carslaw, Jaeger, Conduction of Heat in Solids, sec. 2.8). Equal bodies stay as they

@@ -263,6 +263,8 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawP
   curves.warnings =
       contactDoubts(curves.contacts, specification.contact, physics.strengthInUse(*law));
   addDoubt(curves.warnings, speedDoubt("speed", specification.speed));
+  addDoubt(curves.warnings, pecletDoubt("speed", specification.speed,
+                                        curves.contacts.front().hertz.halfWidth, physics.thermal));
   addDoubt(curves.warnings, creepDoubt("creep", specification.creep));
   const LawSpread spread(specification.spread, law);
   addDoubt(curves.warnings, spread.warning());

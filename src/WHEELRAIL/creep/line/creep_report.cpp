@@ -294,9 +294,8 @@ std::string summaryJson(const CreepSpecification &asked, const std::string &text
   Json json = summaryHead(asked.surface, text, law, curves, files);
   const ThermalSpecification &thermal = asked.physics.thermal;
   if (thermal.model != ThermalModel::Off)
-    json["hertz"]["peclet_number"] = asked.speed.front() * curves.contacts.front().hertz.halfWidth *
-                                     thermal.material.density * thermal.material.specificHeat /
-                                     (2.0 * thermal.material.conductivity);
+    json["hertz"]["peclet_number"] = pecletNumber(curves.contacts.front().hertz.halfWidth,
+                                                  asked.speed.front(), thermal.material);
   for (const Curve &curve : curvesOf(asked, curves))
     json["curves"].push_back(curveJson(asked.surface, curve));
   if (curves.hasBand && asked.spread.method == UncertaintyMethod::Sampled)

@@ -108,6 +108,10 @@ void addDoubts(const PatchSpecification &asked, double strength, PatchCurves &cu
     spin *= largest;
   addDoubt(curves.warnings, speedDoubt("speed", asked.speed));
   addDoubt(curves.warnings, speedDoubt("sequence.speed", asked.sequence.speed));
+  const double along = curves.contacts.front().hertz.a;
+  const ThermalSpecification &thermal = asked.physics.thermal;
+  addDoubt(curves.warnings, pecletDoubt("speed", asked.speed, along, thermal));
+  addDoubt(curves.warnings, pecletDoubt("sequence.speed", asked.sequence.speed, along, thermal));
   addDoubt(curves.warnings, creepDoubt("creep", asked.creep));
   addDoubt(curves.warnings, creepDoubt("sequence.creep", asked.sequence.creep));
   addDoubt(curves.warnings, creepDoubt("lateral", asked.lateral));

@@ -187,8 +187,7 @@ std::string patchSummary(const PatchSpecification &asked, const std::string &tex
   json["cells"] = {first.grid.nx, first.grid.ny};
   const ThermalSpecification &thermal = asked.physics.thermal;
   if (thermal.model != ThermalModel::Off)
-    json["peclet_number"] = asked.speed.front() * first.hertz.a * thermal.material.density *
-                            thermal.material.specificHeat / (2.0 * thermal.material.conductivity);
+    json["peclet_number"] = pecletNumber(first.hertz.a, asked.speed.front(), thermal.material);
   for (std::size_t k = 0; k < curves.contacts.size(); ++k)
     json["contacts"].push_back(contactJson(asked, curves.contacts[k], curves.summaries[k]));
   if (curves.hasBand && asked.spread.method == UncertaintyMethod::Sampled)

@@ -79,6 +79,22 @@ std::string speedDoubt(const std::string &keyword, const std::vector<double> &va
                      keyword, *largest, 3.6 * *largest, fastest);
 }
 
+std::string pecletDoubt(const std::string &keyword, const std::vector<double> &values,
+                        double halfWidth, const ThermalSpecification &thermal)
+{
+  constexpr double least = 5.0; // the mean over a line is 2.5 % below that of a half-space
+  const auto slowest = std::min_element(values.begin(), values.end());
+  if (thermal.model == ThermalModel::Off || slowest == values.end())
+    return "";
+  const double peclet = pecletNumber(halfWidth, *slowest, thermal.material);
+  if (!(peclet < least))
+    return "";
+  return fmt::format("thermal: the Peclet number is {:.3g} at {}: {:.4g} m/s; temperatures are of "
+                     "heat that flows into the depth only, and below {:g} it spreads along the "
+                     "contact and across it, too",
+                     peclet, keyword, *slowest, least);
+}
+
 std::string memoryDoubt(double length, bool dependsOnSpeed)
 {
   if (!(length > 0.0) || dependsOnSpeed)

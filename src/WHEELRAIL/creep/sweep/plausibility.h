@@ -2,6 +2,8 @@
 #ifndef WHEELRAIL_CREEP_SWEEP_PLAUSIBILITY_H
 #define WHEELRAIL_CREEP_SWEEP_PLAUSIBILITY_H
 
+#include "contact/contact_temperature.h"
+
 #include <string>
 #include <vector>
 
@@ -31,6 +33,13 @@ std::string creepDoubt(const std::string &keyword, const std::vector<double> &va
 /// \param keyword of the case: "speed"
 /// \param values m/s; the largest counts
 std::string speedDoubt(const std::string &keyword, const std::vector<double> &values);
+
+/// So slow that heat spreads along the contact and across it as fast as the contact moves on.
+/// \param keyword of the case: "speed"
+/// \param values m/s; the smallest counts
+/// \param halfWidth a, m, of a patch the semi-axis along the way
+std::string pecletDoubt(const std::string &keyword, const std::vector<double> &values,
+                        double halfWidth, const ThermalSpecification &thermal);
 
 /// A contact larger than the body's radius is no contact of Hertz.
 /// \param halfAxis  m
