@@ -269,7 +269,7 @@ def test_friction_in_space(tmp_path):
     """The variables of the friction example and two more; a run that goes on after its restart
     file."""
     defaults, plane = (script_variables(where / "in.friction") for where in (SPACE, FRICTION))
-    other = {"columns": "20", "rows": "28", "depth": "8", "skin": "0.4"}
+    other = {"columns": "20", "rows": "28", "depth": "8", "skin": "0.03"}
     assert defaults == {**plane, **other}
     values = {"columns": 8, "rows": 14, "depth": 6, "every": 100, "seed": 3, "v": 7, "frames": 0}
     values.update(profile=200, checkpoint=200)
