@@ -249,16 +249,12 @@ def power_rows(points: list[dict[str, Any]], mu: Any) -> list[list[str]]:
 
 SIZES = {
     "base": "base",
-    "wide20": "20 across",
-    "wide80": "80 across",
-    "rows12": "12 rows",
-    "rows20": "20 rows",
-    "rows20-thin": "20 rows, half the viscosity",
-    "rows20-thick": "20 rows, twice the viscosity",
+    "half-wide": "half as wide",
+    "wide": "twice as wide",
+    "high": "six rows more",
     "held5": "5 rows held",
     "fine": "half the step",
     "poisson-nu0.25": "Poisson's ratio 0.25",
-    "poisson-nu0.3": "Poisson's ratio 0.3",
     "poisson-nu0.34": "Poisson's ratio 0.34",
     "poisson-nu0.4": "Poisson's ratio 0.4",
     "ductile-breaking_strain0.02": "breaks at 2 %",
@@ -267,14 +263,10 @@ SIZES = {
 }  # of the plans convergence and ductility, in the order of figures
 
 
-def base_of(size: str) -> str:
-    """The size that another one stands against: those of preset d have their own."""
-    return "poisson-nu0.3" if size.startswith(("poisson", "ductile")) else "base"
-
-
 def size_of(point: dict[str, Any]) -> str:
-    """The key in SIZES of a run: `wide20` of wide20-strength92-seed1, `fine` of fine-v10-seed1."""
-    return re.sub(r"-(strength|v|seed)\d.*", "", run_name(point))
+    """The key in SIZES of a run: `wide` of wide-strength92-seed3, `fine` of fine-v10-seed3."""
+    size = re.sub(r"-(strength|v|seed)\d.*", "", run_name(point))
+    return "base" if size == "poisson-nu0.3" else size
 
 
 def convergence(report: dict[str, Any], picture: str) -> list[str]:
@@ -286,31 +278,23 @@ def convergence(report: dict[str, Any], picture: str) -> list[str]:
         sizes = groups(members, size_of)
         if strange := sizes.keys() - SIZES:
             raise Missing(f"of no plan: {', '.join(sorted(strange))}")
+        if "base" not in sizes:
+            raise Missing(f"no run of the base size at {strength:g} MPa, {v:g} m/s")
+        base, base_error = mean_of(sizes["base"])
         for size in (size for size in SIZES if size in sizes):
-            if base_of(size) not in sizes:
-                raise Missing(f"no run of the base size at {strength:g} MPa, {v:g} m/s")
-            base = mean_of(sizes[base_of(size)])
             mu, error = mean_of(sizes[size])
             depths = [found for p in sizes[size] if (found := layer.read(p["file"]))]
             depth = "{:.1f} +- {:.1f}".format(*layer.mean_depth(depths)) if depths else ""
-            difference = (mu - base[0]) / math.hypot(error, base[1])
+            reach, against = half_width(sizes[size]) / mu, ""
+            if size != "base":
+                reach = math.hypot(reach, half_width(sizes["base"]) / base)
+                difference = (mu - base) / math.hypot(error, base_error)
+                against = f"{percent(mu, base)} ({difference:+.1f} s.e.)"
             labels.append(f"{strength:g} MPa, {v:g} m/s: {SIZES[size]}")
-            values.append(mu / base[0])
-            reach = half_width(sizes[size]) / mu
-            if size != base_of(size):
-                reach = math.hypot(reach, half_width(sizes[base_of(size)]) / base[0])
-            bars.append(reach * mu / base[0])
-            rows.append(
-                [
-                    labels[-1],
-                    str(len(sizes[size])),
-                    f"{mu:.3f} +- {error:.3f}",
-                    ""
-                    if size == base_of(size)
-                    else f"{percent(mu, base[0])} ({difference:+.1f} s.e.)",
-                    depth,
-                ]
-            )
+            values.append(mu / base)
+            bars.append(reach * mu / base)
+            number, cell = str(len(sizes[size])), f"{mu:.3f} +- {error:.3f}"
+            rows.append([labels[-1], number, cell, against, depth])
     dots(
         labels,
         values,
@@ -368,10 +352,10 @@ FIGURES = {
         ["--model", "eq2_ductility", "--ductility", f"{ductility.REFERENCE:g}", *LATE],
     ),
     "temperature": Figure(
-        f"Friction of a rail steel (MPa, GPa) against temperature, {FROM}",
+        f"Friction of a rail steel (MPa, GPa) against temperature, {LATER}",
         ["temperature"],
         heat.temperature,
-        START,
+        LATE,
     ),
     "rail": Figure(
         f"Friction of a rail steel up to its hardness, from {locomotive_runs.START_DISTANCE} nm on",

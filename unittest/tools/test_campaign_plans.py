@@ -180,6 +180,14 @@ def test_size_follows_the_load(tmp_path):
     laws = "laws: [c, c link 2, a, c link none, c link elastic_limit], p: 20, strength: 100"
     assert [size[0] for size in sizes(tmp_path, laws).values()] == [80, 160, 160, 160, 80]
     assert sizes(tmp_path, "elastic_limit: 0.8, p: 14, strength: 100")["run"][0] == 160
+    strong = sizes(tmp_path, "E: 49900, p: [9, 15, 27.6, 27.8, 49.9], strength: 100")
+    assert [size[:2] for size in strong.values()] == [
+        (160, 14),
+        (160, 20),  # 80 columns from E/sigma_0 = 500 on
+        (160, 20),
+        (80, 20),  # 0.5 of 55.4 MPa
+        (160, 20),
+    ]
     given = sizes(
         tmp_path,
         "name: own, columns: 30",
@@ -361,12 +369,12 @@ SHIPPED = {
     "viscosity": 2,
     "roughness": 6,
     "smoke": 6,
-    "convergence": 36,
+    "convergence": 24,
     "ductility": 28,
     "width": 84,
     "light": 6,
     "own-material": 10,
-    "temperature": 15,
+    "temperature": 17,
     "rail": 80,
     "rail-checks": 20,
     "space": 16,
@@ -392,6 +400,7 @@ PAPER = ["paper36", "equal-kappas", "similar", "velocity", "pressure"]
 
 
 OTHERS = ["viscosity", "roughness", "own-material", "ductility", "light"]
+OTHERS += ["temperature", "convergence"]
 
 
 @pytest.mark.parametrize("name", [*PAPER, *OTHERS])

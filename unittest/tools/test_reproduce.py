@@ -315,12 +315,12 @@ def test_convergence(tmp_path):
     def factor(run):
         if run.values["strength"] == 250:
             return 1.3 if run.values["seed"] % 2 else 0.7
-        return 1.1 if "wide20" in run.name else 1.0
+        return 1.1 if run.name.startswith("half-wide") else 1.0
 
     for plan in ("convergence", "ductility"):
         logs(tmp_path, plan, factor)
     text = made(tmp_path, "convergence", reproduce(tmp_path, "convergence"))
-    *_, percent, errors = line(text, "92 MPa, 5 m/s: 20 across")
+    *_, percent, errors = line(text, "92 MPa, 5 m/s: half as wide")
     assert percent == pytest.approx(10, abs=1) and errors > 5
     assert line(text, "92 MPa, 10 m/s: half the step")[3] == pytest.approx(0, abs=1)
 
@@ -346,6 +346,22 @@ def test_light_loads_over_those_of_narrow_blocks(tmp_path):
     _, _, narrow, _, _, wide, *_ = line(text, "r07")  # junctions
     assert wide / narrow == pytest.approx(4, rel=0.1)
     assert line(text, "mean of the ratios:")[0] == pytest.approx(1.2, abs=0.01)
+
+
+def test_temperature_and_other_widths(tmp_path):
+    factors = {"half-wide": 1.1, "wide-seed": 0.9, "widest": 1.2}
+
+    def factor(run):
+        return next((f for name, f in factors.items() if run.name.startswith(name)), 1.0)
+
+    logs(tmp_path, "temperature", factor)
+    text = made(tmp_path, "temperature", reproduce(tmp_path, "temperature"))
+    _, _, _, mu, _, one, two, *_ = line(text, "673 K ")
+    assert mu == pytest.approx((one + two) / 2, abs=0.002)
+    assert line(text, "673 K, half width")[3] == pytest.approx(1.1 * mu, rel=0.02)
+    assert line(text, "673 K, double width")[3] == pytest.approx(1.2 * mu, rel=0.02)
+    hot = line(text, "873 K ")[3]
+    assert line(text, "873 K, double width")[3] == pytest.approx(0.9 * hot, rel=0.02)
 
 
 def test_missing_logs_are_one_clear_line(tmp_path):
