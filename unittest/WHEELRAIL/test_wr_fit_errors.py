@@ -19,9 +19,9 @@ from mcawr.friction_log import CHECK, Text
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
 LOGS = ROOT / "examples" / "campaign" / "logs"
-# plans whose runs slide 250 nm after the first 250 nm, and differ in the seed; averages from (ns)
-SEEDS = {"own-material": 50, "temperature": 50, "velocity": 0, "pressure": 0, "similar": 0}
-PARTS = {**SEEDS, "paper36": 50}
+# plans of preset d whose runs slide 250 nm after the first 250 nm; averages from there
+SEEDS = ("temperature", "velocity", "pressure", "similar", "ductility")
+PARTS = (*SEEDS, "paper36", "convergence")
 
 
 def rows_of(tmp_path, *words):
@@ -54,10 +54,8 @@ def beyond(values):
 
 def test_seeds_differ_by_their_errors(tmp_path):
     differences, own = [], []
-    for plan, start in SEEDS.items():
-        rows = rows_of(
-            tmp_path, LOGS / f"{plan}.tar.xz", "--start", str(start), "--start-distance", "250"
-        )
+    for plan in SEEDS:
+        rows = rows_of(tmp_path, LOGS / f"{plan}.tar.xz", "--start-distance", "250")
         runs = {}
         for row in rows:
             runs.setdefault(row["file"].rsplit("-seed", 1)[0], []).append(row)
@@ -65,20 +63,20 @@ def test_seeds_differ_by_their_errors(tmp_path):
             for a, b in itertools.combinations(seeds, 2):
                 differences.append(difference(a, b, "mu_se"))
                 own.append(difference(a, b, "mu_se_own"))
-    assert len(differences) == 47
-    # the root mean square of 47 normal numbers scatters by 10 %, the 5 % beyond by 3
+    assert len(differences) > 35
+    # the root mean square of 36 normal numbers scatters by 12 %, the 5 % beyond by 4
     assert rms(differences) == pytest.approx(1, abs=0.15)
     assert beyond(differences) < 0.1
     assert rms(own) > 1.15  # what a run knows of itself is not all
 
 
-@pytest.mark.parametrize(("parts", "beyond_errors"), [(2, 1.3), (4, 1.15)])
+@pytest.mark.parametrize(("parts", "beyond_errors"), [(2, 1.45), (4, 1.2)])
 def test_parts_of_a_run_differ_by_their_own_errors(tmp_path, parts, beyond_errors):
     """Neighbouring halves and quarters of what is averaged: the slow times within a run are in its
     error, however short it is; but for states that outlive a part, which doc/wr_fit.md tells."""
     cut = tmp_path / "cut"
     cut.mkdir()
-    for plan, start in PARTS.items():
+    for plan in PARTS:
         path = LOGS / f"{plan}.tar.xz"
         for name, content in archive.unpack(str(path), path.read_bytes()).items():
             if not name.endswith(".friction"):
@@ -86,9 +84,7 @@ def test_parts_of_a_run_differ_by_their_own_errors(tmp_path, parts, beyond_error
             text = Text.of(content.decode())
             assert text.names[-1] == CHECK
             rows = [row.rsplit(" ", 1)[0] for row in text.rows]
-            later = [
-                row for row in rows if float(row.split()[1]) > start and float(row.split()[2]) > 250
-            ]
+            later = [row for row in rows if float(row.split()[2]) > 250]
             size = len(later) // parts
             for k in range(parts if size >= 40 else 0):
                 lines = [*text.head, " ".join(text.names[:-1]), *later[k * size : (k + 1) * size]]
@@ -104,4 +100,4 @@ def test_parts_of_a_run_differ_by_their_own_errors(tmp_path, parts, beyond_error
     differences = [difference(a, b, "mu_se_own") for a, b in pairs]
     assert len(differences) > 110
     assert 0.85 < rms(differences) < beyond_errors
-    assert beyond(differences) < 0.15
+    assert beyond(differences) < 0.2
