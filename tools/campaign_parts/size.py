@@ -17,8 +17,8 @@ PRESET_A = 2.35  # sigma_link/sigma_0 of preset a; all others link at the elasti
 # (share p/sigma_link below which it holds, automata in a layer, free rows in the plane, free layers
 # of examples/space): p/sigma_0 = 0.1, 0.15, 0.5 where links form at steel's elastic limit, 0.554
 SIZES = ((0.18, 160, 8, 14), (0.27, 160, 14, 22), (0.9, 80, 14, 22), (math.inf, 160, 14, 22))
-# where E/sigma_0 is below STRONG the second row holds up to STRONG_SHARE: such layers are thinner,
-# their junctions coarser
+# where E/sigma_0 of all blocks is below STRONG the second row holds up to STRONG_SHARE: such layers
+# are thinner, their junctions coarser
 STRONG, STRONG_SHARE = 500, 0.5
 ASPECT = 2.5  # columns over depth, in space
 
@@ -59,7 +59,7 @@ def in_layer(values: Mapping[str, Any]) -> float:
 def row_of(values: Mapping[str, Any]) -> tuple[float, int, int, int]:
     """The row of SIZES for a load on the blocks."""
     stated = share(values)
-    strong = any(block["E"] < STRONG * block["strength"] for block in blocks(values))
+    strong = all(block["E"] < STRONG * block["strength"] for block in blocks(values))
     if strong and SIZES[0][0] <= stated < STRONG_SHARE:
         return SIZES[1]
     return next(row for row in SIZES if stated < row[0])
