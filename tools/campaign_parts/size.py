@@ -14,12 +14,17 @@ from typing import Any
 AUTO = "auto"
 KEYS = ("columns", "rows", "depth")
 PRESET_A = 2.35  # sigma_link/sigma_0 of preset a; all others link at the elastic limit
-# (share p/sigma_link below which it holds, automata in a layer, free rows in the plane, free layers
-# of examples/space): p/sigma_0 = 0.1, 0.15, 0.5 where links form at steel's elastic limit, 0.554
-SIZES = ((0.18, 160, 8, 14), (0.27, 160, 14, 22), (0.9, 80, 14, 22), (math.inf, 160, 14, 22))
-# where E/sigma_0 of all blocks is below STRONG the second row holds up to STRONG_SHARE: such layers
-# are thinner, their junctions coarser
-STRONG, STRONG_SHARE = 500, 0.5
+# (share p/sigma_link below which it holds, automata in a layer, the same of strong blocks, free rows
+# in the plane, free layers of examples/space): p/sigma_0 = 0.1, 0.15, 0.28, 0.5 where links form
+# at steel's elastic limit, 0.554
+SIZES = (
+    (0.18, 160, 160, 8, 14),
+    (0.27, 160, 160, 14, 22),
+    (0.5, 80, 160, 14, 22),
+    (0.9, 80, 80, 14, 22),
+    (math.inf, 160, 160, 14, 22),
+)
+STRONG = 500  # E/sigma_0 below which a block is: its layer is thinner, its junctions coarser
 ASPECT = 2.5  # columns over depth, in space
 
 
@@ -56,15 +61,6 @@ def in_layer(values: Mapping[str, Any]) -> float:
     return values["columns"] * (values["depth"] or 2) / 2
 
 
-def row_of(values: Mapping[str, Any]) -> tuple[float, int, int, int]:
-    """The row of SIZES for a load on the blocks."""
-    stated = share(values)
-    strong = all(block["E"] < STRONG * block["strength"] for block in blocks(values))
-    if strong and SIZES[0][0] <= stated < STRONG_SHARE:
-        return SIZES[1]
-    return next(row for row in SIZES if stated < row[0])
-
-
 def junctions(values: Mapping[str, Any]) -> float:
     """Junctions that carry the load at once: p W/(d sigma_link) in a plane of width W = columns d;
     in space p A/(d^2 sigma_link)."""
@@ -78,7 +74,9 @@ def _even(least: float) -> int:
 def settled(values: Mapping[str, Any]) -> dict[str, Any]:
     """The values with a number where `auto` stands."""
     result = dict(values)
-    _, layer, free, free_in_space = row_of(values)
+    _, layer, strong, free, free_in_space = next(row for row in SIZES if share(values) < row[0])
+    if all(block["E"] < STRONG * block["strength"] for block in blocks(values)):
+        layer = strong
     if result["depth"] == AUTO:
         result["depth"] = _even(math.sqrt(2 * layer / ASPECT))
     depth = result["depth"]
