@@ -14,9 +14,9 @@ from typing import Any
 AUTO = "auto"
 KEYS = ("columns", "rows", "depth")
 PRESET_A = 2.35  # sigma_link/sigma_0 of preset a; all others link at the elastic limit
-# (share p/sigma_link below which it holds, automata in a layer, the same of strong blocks, free rows
-# in the plane, free layers of examples/space): p/sigma_0 = 0.1, 0.15, 0.28, 0.5 where links form
-# at steel's elastic limit, 0.554
+# (share p/sigma_link below which it holds, automata in a layer, the same of strong blocks,
+# free rows in the plane, free layers of examples/space): p/sigma_0 = 0.1, 0.15, 0.28, 0.5 where
+# links form at steel's elastic limit, 0.554
 SIZES = (
     (0.18, 160, 160, 8, 14),
     (0.27, 160, 160, 14, 22),
