@@ -370,10 +370,10 @@ FIGURES = {
         locomotive_runs.FIT + ["--model", locomotive_runs.MODELS[0]],
     ),
     "space": Figure(
-        "Friction in three dimensions (preset c) and in the plane (preset d), from 50 ns on",
-        ["space", "paper36"],
+        f"Friction in three dimensions and in the plane, {LATER}",
+        ["space", "velocity", "pressure", "paper36"],
         three.space,
-        ["--start", "50"],
+        LATE,
     ),
     "laws": Figure(
         f"Sets of laws in wide fragments, from {laws.START} nm on",

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Friction in three dimensions beside that in the plane and Eq. 2."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -11,8 +12,9 @@ from mcawr.friction_log import head_of
 from mcawr.replicas import groups, half_width, mean_of
 
 from . import layer
-from .common import Missing, percent, table
+from .common import Missing, percent, run_name, table
 
+OTHER_SIZES = {"wide": "twice the area", "tall": "12 layers more"}
 QUANTITIES = {"velocity": "v (m/s)", "pressure": "p (MPa)", "strength": r"$\sigma_0$ (MPa)"}
 
 
@@ -21,13 +23,16 @@ def condition(point: dict[str, Any]) -> tuple[float, ...]:
     return tuple(point[name] for name in QUANTITIES)
 
 
+def is_space(point: dict[str, Any]) -> bool:
+    """Is it a run in three dimensions?"""
+    return bool(head_of(point["file"])["geometry"]["packing"] != "hex")
+
+
 def conditions(points: list[dict[str, Any]]) -> tuple[Any, Any]:
     """{condition: points} of the runs in space and of those in the plane that share one."""
-    found = groups(
-        points, lambda p: (head_of(p["file"])["geometry"]["packing"] == "hex", *condition(p))
-    )
-    inside = {key[1:]: members for key, members in found.items() if not key[0]}
-    plane = {key[1:]: members for key, members in found.items() if key[0] and key[1:] in inside}
+    found = groups(points, lambda p: (is_space(p), *condition(p)))
+    inside = {key[1:]: members for key, members in found.items() if key[0]}
+    plane = {key[1:]: members for key, members in found.items() if key[1:] in inside and not key[0]}
     if not inside:
         raise Missing("no friction log of three dimensions")
     return inside, plane
@@ -67,10 +72,39 @@ def draw(inside: Any, plane: Any, picture: str) -> None:
     pyplot.close(figure)
 
 
+def other_sizes(points: list[dict[str, Any]], inside: Any) -> list[str]:
+    """mu and depth of the layer in blocks of another size, over mu in those of the same condition;
+    nothing for none."""
+    rows = []
+    for point in points:
+        against = inside.get(condition(point))
+        mu, error = point["mu"], point["mu_se"]
+        depth = depth_of([point])
+        row = [
+            f"{OTHER_SIZES[run_name(point)]}, {name_of(condition(point))}",
+            f"{mu:.3f} +- {error:.3f}",
+            "-",
+            "-" if depth is None else "{:.1f} +- {:.1f}".format(*depth),
+        ]
+        if against:
+            base, base_error = mean_of(against)
+            difference = math.hypot(error / mu, base_error / base) * mu / base
+            row[2] = f"{100 * (mu / base - 1):+.1f} +- {100 * difference:.1f} %"
+        rows.append(row)
+    return ["", *table(["", "space", "over the above", "depth, nm"], rows)] if rows else []
+
+
+def name_of(key: tuple[float, ...]) -> str:
+    """A condition in words."""
+    return "{:g} m/s, {:g} MPa, sigma_0 {:g} MPa".format(*key)
+
+
 def space(report: dict[str, Any], picture: str) -> list[str]:
     """mu in space and in the plane at the same pressure, velocity and strength, beside Eq. 2, and
-    the depth of the layer in space; means over the seeds."""
-    inside, plane = conditions(report["report"]["points"])
+    the depth of the layer in space; means over the seeds. Then other sizes of the blocks."""
+    points = report["report"]["points"]
+    others = [p for p in points if run_name(p) in OTHER_SIZES and is_space(p)]
+    inside, plane = conditions([p for p in points if p not in others])
     draw(inside, plane, picture)
     rows = []
     for key, members in inside.items():
@@ -80,7 +114,7 @@ def space(report: dict[str, Any], picture: str) -> list[str]:
         depth = depth_of(members)
         rows.append(
             [
-                "{:g} m/s, {:g} MPa, sigma_0 {:g} MPa".format(*key),
+                name_of(key),
                 str(len(members)),
                 f"{mu:.3f} +- {error:.3f}",
                 flat,
@@ -89,4 +123,5 @@ def space(report: dict[str, Any], picture: str) -> list[str]:
                 "-" if depth is None else "{:.1f} +- {:.1f}".format(*depth),
             ]
         )
-    return table(["", "seeds", "space", "plane", "Eq. 2", "", "depth, nm"], rows)
+    head = ["", "seeds", "space", "plane", "Eq. 2", "", "depth, nm"]
+    return table(head, rows) + other_sizes(others, inside)

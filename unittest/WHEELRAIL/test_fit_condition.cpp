@@ -84,22 +84,29 @@ TEST(SeedScatter, OfOneRunEachNothingIsKnown)
   EXPECT_EQ(runs[1].t95, normal95);
 }
 
-TEST(SeedScatter, OtherLawsHaveTheirOwn)
+TEST(SeedScatter, OtherLawsAndOtherPackingsHaveTheirOwn)
 {
-  std::vector<FrictionRun> runs;
-  for (const long seed : {1, 2, 3}) {
-    runs.push_back(runAt(1, 10, 0.40 + 0.02 * static_cast<double>(seed), 0.001, seed));
-    runs.push_back(runAt(1, 10, 0.50 + 0.0001 * static_cast<double>(seed), 0.001, seed));
-    runs.back().madeBy["laws.preset"] = "a";
+  for (const bool laws : {true, false}) {
+    std::vector<FrictionRun> runs;
+    for (const long seed : {1, 2, 3}) {
+      runs.push_back(runAt(1, 10, 0.40 + 0.02 * static_cast<double>(seed), 0.001, seed));
+      runs.push_back(runAt(1, 10, 0.50 + 0.0001 * static_cast<double>(seed), 0.001, seed));
+      if (laws)
+        runs.back().madeBy["laws.preset"] = "a";
+      else {
+        runs.back().packing = "fcc";
+        runs.back().condition["geometry"] = "packing: fcc";
+      }
+    }
+    for (FrictionRun &run : runs)
+      run.muOwn = run.muSe;
+    const auto found = seedScatters(runs, conditionsOf(runs));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[1].runs, (std::vector<std::size_t>{1, 3, 5}));
+    EXPECT_NEAR(found[0].share, 0.02 / 0.44, 0.002);
+    EXPECT_EQ(found[1].share, 0.0);
+    EXPECT_NEAR(found[1].t95(), 4.3027, 1e-4); // of 2
   }
-  for (FrictionRun &run : runs)
-    run.muOwn = run.muSe;
-  const auto found = seedScatters(runs, conditionsOf(runs));
-  ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ(found[1].runs, (std::vector<std::size_t>{1, 3, 5}));
-  EXPECT_NEAR(found[0].share, 0.02 / 0.44, 0.002);
-  EXPECT_EQ(found[1].share, 0.0);
-  EXPECT_NEAR(found[1].t95(), 4.3027, 1e-4); // of 2
 }
 
 TEST(FitCondition, AnotherMaterialLawOrStepIsAnotherCondition)

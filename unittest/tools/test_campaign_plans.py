@@ -400,7 +400,7 @@ PAPER = ["paper36", "equal-kappas", "similar", "velocity", "pressure"]
 
 
 OTHERS = ["viscosity", "roughness", "own-material", "ductility", "light"]
-OTHERS += ["temperature", "convergence"]
+OTHERS += ["temperature", "convergence", "space"]
 
 
 @pytest.mark.parametrize("name", [*PAPER, *OTHERS])

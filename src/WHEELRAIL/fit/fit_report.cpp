@@ -153,13 +153,13 @@ std::string intervalText(const Interval &interval)
   return end(interval.lower, interval.lowerOpen) + " .. " + end(interval.upper, interval.upperOpen);
 }
 
-/// How the seeds differ, or that it is not known; a line for each set of laws.
+/// How the seeds differ, or that it is not known; a line for each set of laws and each packing.
 std::string seedLines(const FitAnalysis &analysis)
 {
   std::string text;
   for (const SeedScatter &seeds : analysis.seeds) {
     if (analysis.seeds.size() > 1)
-      text += fmt::format("Laws of {}: ", mcawr::printable(analysis.runs[seeds.runs[0]].file));
+      text += fmt::format("Laws and packing of {}: ", mcawr::printable(analysis.runs[seeds.runs[0]].file));
     text +=
         seeds.conditions == 0
             ? "No condition has two seeds: each error is what one run knows of itself, and not "

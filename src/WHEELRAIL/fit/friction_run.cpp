@@ -108,6 +108,7 @@ FrictionRun frictionRun(const FrictionLog &log, const AveragingOptions &options)
   run.head = log.head;
   run.muPeak = *std::max_element(log.mu.begin(), log.mu.end());
   run.madeBy = log.madeBy;
+  run.packing = log.packing;
   run.condition = log.condition;
   const auto rows = std::min(firstRows, log.mu.size());
   run.firstStep.assign(log.step.begin(), log.step.begin() + rows);

@@ -40,6 +40,7 @@ struct FrictionRun {
   double muPeak = 0.0;            ///< largest row of the log: the static peak, if rows are short
   mcawr::friction_log::Head head; ///< FrictionLog::head
   std::map<std::string, std::string> madeBy; ///< FrictionLog::madeBy
+  std::string packing;                       ///< FrictionLog::packing
   /// FrictionLog::condition
   std::map<std::string, std::string> condition;
   /// Steps and mu of the first rows, at most 1000: they tell one run from another.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace wheelrail {
 
@@ -39,7 +40,7 @@ bool tells(const FitCondition &condition, const std::vector<FrictionRun> &runs)
                      [&](std::size_t k) { return runs[k].muOwn > 0.0; });
 }
 
-/// What seeds differ by in conditions with the same laws and program.
+/// What seeds differ by in conditions with the same laws, program and packing.
 SeedScatter scatterOf(const std::vector<const FitCondition *> &conditions,
                       const std::vector<FrictionRun> &runs)
 {
@@ -86,13 +87,13 @@ std::vector<SeedScatter> seedScatters(const std::vector<FrictionRun> &runs,
                                       const std::vector<FitCondition> &conditions)
 {
   std::vector<std::vector<const FitCondition *>> groups;
-  const auto madeBy = [&](const FitCondition &condition) -> const auto &
-  {
-    return runs[condition.runs.front()].madeBy;
+  const auto kindOf = [&](const FitCondition &condition) {
+    const FrictionRun &run = runs[condition.runs.front()];
+    return std::tie(run.madeBy, run.packing);
   };
   for (const FitCondition &condition : conditions) {
     const auto home = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
-      return madeBy(*group.front()) == madeBy(condition);
+      return kindOf(*group.front()) == kindOf(condition);
     });
     if (home == groups.end())
       groups.push_back({&condition});

@@ -23,12 +23,12 @@ struct SeedScatter {
   double t95() const;
 };
 
-/// For all conditions of runs with the same laws and program one share: the one at which the
-/// squared deviations of mu from the conditions' weighted means, each over muOwn^2 + (share mu)^2,
-/// add up to the degrees of freedom (R. C. Paule and J. Mandel, J. Res. NBS 87 (1982) 377); 0 where
-/// the runs' own errors explain them.
+/// For all conditions of runs with the same laws, program and packing one share: the one at which
+/// the squared deviations of mu from the conditions' weighted means, each over muOwn^2 +
+/// (share mu)^2, add up to the degrees of freedom (R. C. Paule and J. Mandel, J. Res. NBS 87 (1982)
+/// 377); 0 where the runs' own errors explain them.
 /// \param conditions of `conditionsOf(runs)`
-/// \return one for each set of laws and program, in the order of their first runs
+/// \return one for each set of laws, program and packing, in the order of their first runs
 std::vector<SeedScatter> seedScatters(const std::vector<FrictionRun> &runs,
                                       const std::vector<FitCondition> &conditions);
 
