@@ -9,10 +9,10 @@ from matplotlib import pyplot
 
 from mcawr.files import save_figure
 from mcawr.friction_log import head_of
-from mcawr.replicas import groups, half_width, mean_of
+from mcawr.replicas import NORMAL, groups, mean_of
 
 from . import layer
-from .common import Missing, percent, run_name, table
+from .common import Missing, percent, run_name, table, with_own_errors
 
 OTHER_SIZES = {"wide": "twice the area", "tall": "12 layers more"}
 QUANTITIES = {"velocity": "v (m/s)", "pressure": "p (MPa)", "strength": r"$\sigma_0$ (MPa)"}
@@ -57,7 +57,7 @@ def draw(inside: Any, plane: Any, picture: str) -> None:
             axes.errorbar(
                 [c[k] for c in known],
                 [mean_of(found[c])[0] for c in known],
-                yerr=[half_width(found[c]) for c in known],
+                yerr=[NORMAL * mean_of(found[c])[1] for c in known],
                 fmt=style,
                 mfc="none" if name == "plane" else None,
                 capsize=3,
@@ -102,7 +102,8 @@ def name_of(key: tuple[float, ...]) -> str:
 def space(report: dict[str, Any], picture: str) -> list[str]:
     """mu in space and in the plane at the same pressure, velocity and strength, beside Eq. 2, and
     the depth of the layer in space; means over the seeds. Then other sizes of the blocks."""
-    points = report["report"]["points"]
+    # one pair of seeds in space tells nothing of what seeds differ by
+    points = with_own_errors(report["report"]["points"])
     others = [p for p in points if run_name(p) in OTHER_SIZES and is_space(p)]
     inside, plane = conditions([p for p in points if p not in others])
     draw(inside, plane, picture)
@@ -124,4 +125,8 @@ def space(report: dict[str, Any], picture: str) -> list[str]:
             ]
         )
     head = ["", "seeds", "space", "plane", "Eq. 2", "", "depth, nm"]
-    return table(head, rows) + other_sizes(others, inside)
+    return [
+        "errors: what a run knows of itself; of two seeds, what they differ by",
+        *table(head, rows),
+        *other_sizes(others, inside),
+    ]

@@ -376,8 +376,8 @@ SHIPPED = {
     "own-material": 10,
     "temperature": 17,
     "rail": 80,
-    "rail-checks": 20,
-    "space": 16,
+    "rail-checks": 30,
+    "space": 18,
     "laws": 232,
     "laws-long": 58,
 }
