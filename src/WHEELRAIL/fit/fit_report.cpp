@@ -159,7 +159,8 @@ std::string seedLines(const FitAnalysis &analysis)
   std::string text;
   for (const SeedScatter &seeds : analysis.seeds) {
     if (analysis.seeds.size() > 1)
-      text += fmt::format("Laws and packing of {}: ", mcawr::printable(analysis.runs[seeds.runs[0]].file));
+      text += fmt::format("Laws and packing of {}: ",
+                          mcawr::printable(analysis.runs[seeds.runs[0]].file));
     text +=
         seeds.conditions == 0
             ? "No condition has two seeds: each error is what one run knows of itself, and not "
