@@ -59,7 +59,13 @@ def table(head: list[str], rows: list[list[str]]) -> list[str]:
 
 def percent(ours: float, paper: float) -> str:
     """Relative difference of two numbers of one unit, as text."""
-    return f"{100 * (ours / paper - 1):+.1f} %"
+    return f"{round(100 * (ours / paper - 1), 1) + 0.0:+.1f} %"  # 0.0: no -0.0
+
+
+def quotient(over: tuple[float, float], under: tuple[float, float]) -> tuple[float, float]:
+    """(ratio, its standard error) of two independent (means, their standard errors), neither 0."""
+    ratio = over[0] / under[0]
+    return ratio, abs(ratio) * math.hypot(over[1] / over[0], under[1] / under[0])
 
 
 def scatter_of(values: Any, errors: Any) -> tuple[float, float]:

@@ -13,7 +13,7 @@ from mcawr.files import save_figure
 from mcawr.replicas import groups, mean_of, spread_of
 
 from . import layer
-from .common import Missing, planned, run_name, table, with_own_errors
+from .common import Missing, planned, quotient, run_name, table, with_own_errors
 
 FIRST = ("base", "soft", "strong", "dense", "faint")  # conditions of the first step
 SECOND = ("thin", "thick", "smooth", "stiff", "light", "slow")
@@ -66,8 +66,7 @@ def is_solid(point: dict[str, Any]) -> bool:
 
 def ratio(over: Mean, under: Mean) -> Mean:
     """Of two independent means."""
-    value = over.value / under.value
-    return Mean(value, value * math.hypot(over.relative, under.relative))
+    return Mean(*quotient((over.value, over.error), (under.value, under.error)))
 
 
 def exponent(small: Mean, large: Mean) -> Mean:

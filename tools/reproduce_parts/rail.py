@@ -13,7 +13,7 @@ from mcawr.files import save_figure
 from mcawr.replicas import NORMAL, groups, half_width, mean_of
 
 from . import locomotive_runs as made, temperature as heat
-from .common import Missing, percent, run_name, table, with_own_errors
+from .common import Missing, percent, quotient, run_name, table, with_own_errors
 from .dots import dots
 
 SHEAR = 1 / math.sqrt(3)  # shear strength over sigma_0, von Mises
@@ -202,10 +202,11 @@ def checks(report: dict[str, Any], picture: str) -> list[str]:
         if name.startswith("t") or not others:
             continue
         (mu, error), (base, base_error) = mean_of(members), mean_of(others)
+        ratio, ratio_error = quotient((mu, error), (base, base_error))
         kelvin = heat.temperature_of(members[0], runs)
         labels.append(f"{name}, {kelvin:g} K")
-        values.append(mu / base)
-        bars.append(NORMAL * mu / base * math.hypot(error / mu, base_error / base))
+        values.append(ratio)
+        bars.append(NORMAL * ratio_error)
         rows.append(
             [name, f"{kelvin:g}", f"{rounded(members[0]):g}", str(len(members)),
              f"{mu:.3f} +- {error:.3f}", f"{base:.3f} +- {base_error:.3f}", percent(mu, base)]

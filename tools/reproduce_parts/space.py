@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Friction in three dimensions beside that in the plane and Eq. 2."""
 
-import math
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from mcawr.friction_log import head_of
 from mcawr.replicas import NORMAL, groups, mean_of
 
 from . import layer
-from .common import Missing, percent, run_name, table, with_own_errors
+from .common import Missing, percent, quotient, run_name, table, with_own_errors
 
 OTHER_SIZES = {"wide": "twice the area", "tall": "12 layers more"}
 QUANTITIES = {"velocity": "v (m/s)", "pressure": "p (MPa)", "strength": r"$\sigma_0$ (MPa)"}
@@ -87,9 +86,8 @@ def other_sizes(points: list[dict[str, Any]], inside: Any) -> list[str]:
             "-" if depth is None else "{:.1f} +- {:.1f}".format(*depth),
         ]
         if against:
-            base, base_error = mean_of(against)
-            difference = math.hypot(error / mu, base_error / base) * mu / base
-            row[2] = f"{100 * (mu / base - 1):+.1f} +- {100 * difference:.1f} %"
+            ratio, ratio_error = quotient((mu, error), mean_of(against))
+            row[2] = f"{percent(ratio, 1).removesuffix(' %')} +- {100 * ratio_error:.1f} %"
         rows.append(row)
     return ["", *table(["", "space", "over the above", "depth, nm"], rows)] if rows else []
 

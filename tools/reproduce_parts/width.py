@@ -12,7 +12,7 @@ from campaign_parts import size
 from mcawr.files import save_figure
 from mcawr.replicas import NORMAL, groups, mean_of
 
-from .common import Missing, percent, plan_name, planned, run_name, table, with_own_errors
+from .common import Missing, percent, plan_name, planned, quotient, run_name, table, with_own_errors
 from .dots import dots
 
 ENOUGH = 0.03  # of mu: what twice and four times the width may change beyond the errors
@@ -123,10 +123,11 @@ def light(report: dict[str, Any], picture: str) -> list[str]:
             planned_as = of[plan_name(runs[0])][run_name(runs[0])]
             cells += [f"{size.junctions(planned_as):.2g}", f"{mu:.3f} +- {error:.3f}"]
         names.append(name)
-        ratios.append(means[1][0] / means[0][0])
-        bars.append(ratios[-1] * math.hypot(*(error / mu for mu, error in means)))
+        ratio, error = quotient(means[1], means[0])
+        ratios.append(ratio)
+        bars.append(error)
         kappa2, eq2 = f"{wide[0]['kappa2']:.3g}", f"{wide[0]['mu_eq2']:.3f}"
-        rows.append([name, kappa2, eq2, *cells, f"{ratios[-1]:.2f} +- {bars[-1]:.2f}"])
+        rows.append([name, kappa2, eq2, *cells, f"{ratio:.2f} +- {error:.2f}"])
     if not rows:
         raise Missing("no run of the plan light")
     mean, error = mean_of([{"mu": y, "mu_se": bar} for y, bar in zip(ratios, bars)])
