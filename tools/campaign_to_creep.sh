@@ -34,8 +34,8 @@ wr_creep warns where the case needs the law outside of what it was fitted on; it
 that may mean.
 Examples: campaign_to_creep.sh runs -o out -- --set speed="20 m/s"
           campaign_to_creep.sh examples/campaign/logs/{velocity,pressure}.tar.xz
-          campaign_to_creep.sh examples/campaign/logs/paper36.tar.xz \
-            --model eq2_kappa3 --kappa3 206
+          campaign_to_creep.sh --model eq2_ductility --ductility 9.2 --start-distance 250 \
+            examples/campaign/logs/{paper36,equal-kappas,similar,ductility,velocity,pressure}.tar.xz
           campaign_to_creep.sh examples/campaign/logs/rail.tar.xz --solid-only \
             --material potentials/rail_steel.mca --model bounded_rate --start-distance 250 \
             --case examples/wheelrail/eurosprinter.yaml \

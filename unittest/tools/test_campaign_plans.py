@@ -379,7 +379,7 @@ SHIPPED = {
     "rail-checks": 30,
     "space": 18,
     "laws": 232,
-    "laws-long": 58,
+    "laws-long": 68,
 }
 
 
@@ -442,7 +442,7 @@ FIRST_STEP = ("base", "soft", "strong", "dense", "faint")
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")
 FAINT = ("faint", "light")  # below 0.02 of the strength
 LONG_STEP = {
-    **{"base": 9, "smooth": 7, "dense": 6, "strong": 8, "soft": 5},
+    **{"base": 11, "smooth": 9, "dense": 8, "strong": 10, "soft": 7},
     **{"thin": 4, "thick": 4, "light": 5, "faint": 5, "stiff": 3, "slow": 2},
 }
 
