@@ -73,7 +73,8 @@ column() { # FILE NAME: that column of the first row of a CSV file
 summary() {
   say "done in $SECONDS s"
   cat <<END_OF_SUMMARY
-Two rough steel blocks, p = 15 MPa, v = 5 m/s, strength 92 MPa, $ns ns:
+Two rough steel blocks, p = 15 MPa, v = 5 m/s, strength 92 MPa, $ns ns; 40 automata across, to be
+quick, half as many as this load needs:
   mu = $(column runs.csv mu) +- $(column runs.csv mu_se) (the paper's law: $(column runs.csv mu_eq2)) \
 at kappa1 = $(column runs.csv kappa1), kappa2 = $(column runs.csv kappa2)
   friction log    $results/friction.friction

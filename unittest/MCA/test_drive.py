@@ -242,6 +242,15 @@ def test_a_narrow_sample_is_told_of(tmp_path):
     assert "junctions" not in out and "no link broke" not in out
 
 
+def test_a_narrow_sample_in_space_is_told_of(tmp_path):
+    """p A/(d^2 sigma_link): 16 places of 0.098 of the area that is linked, and 20 times as many."""
+    script = pathlib.Path(EXAMPLE.replace("friction/in.", "space/in.")).read_text(encoding="utf-8")
+    small = {"p": 5, "ns": 0.001, "frames": 0, "columns": 8, "rows": 16}
+    out = lmp(script, tmp_path / "few", depth=4, **small).out
+    assert out.count("1.6 junctions carry pressure 5 at once, fewer than 10") == 1
+    assert "junctions" not in lmp(script, tmp_path / "many", depth=80, **small).out
+
+
 BRONZE = """# UNITS: nano
 youngs_modulus 110000
 poissons_ratio 0.34
