@@ -360,9 +360,9 @@ void FixMCADrive::check_junctions() const
   if (found < health::leastJunctions && comm->me == 0)
     error->warning(FLERR,
                    "Fix mca/drive: {:.2g} junctions carry pressure {:.6g} at once, fewer than "
-                   "{:.0f}: the sample, {:.4g} diameters wide, is too narrow for its load and may "
-                   "wear smooth",
-                   found, pressure.value, health::leastJunctions, across);
+                   "{:.0f}: mu scatters, and a sample of less than 160 automata in a layer (this "
+                   "one: {:.4g}) may rub half as much as a wide one, or a quarter more",
+                   found, pressure.value, health::leastJunctions, places);
 }
 
 /* begun, continued after a restart, or gone on with in a further run of the input script */

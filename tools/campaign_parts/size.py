@@ -3,9 +3,8 @@
 place of the rule and of its constants (doc/campaign.md, The size of the fragment).
 
 Blocks touch at junctions, contacts that are pressed to the linking pressure sigma_link. A load p
-has p/sigma_link of the area in them. Where they are few a narrow fragment wears smooth
-for a while, or its layer loosens, and it rubs too little. Where they are all over, it heals into
-one crystal and rubs too much."""
+has p/sigma_link of the area in them. Where they are few a narrow fragment rubs too little or too
+much. Where they cover most of the area, it heals into one crystal and rubs too much."""
 
 import math
 from collections.abc import Mapping

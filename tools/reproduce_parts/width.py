@@ -28,6 +28,13 @@ def is_enough(means: dict[int, tuple[float, float]], columns: int) -> bool | Non
     return all(by <= most for by, most in change) if change else None
 
 
+def least_enough(means: dict[int, tuple[float, float]]) -> int:
+    """Rule 3: the least width from which on all are enough; the widest that ran where none is."""
+    widths = sorted(means)
+    enough = [n for n in widths if all(is_enough(means, m) is not False for m in widths if m >= n)]
+    return enough[0]
+
+
 def scatter_in_bins(numbers: list[float], ratios: list[float]) -> tuple[float, int]:
     """Rule 2: (standard deviation of ratios from the means of their bins, a factor 2 of their
     numbers wide, number of bins). Each bin has lost the degree of freedom of its mean, so that many
@@ -47,7 +54,7 @@ def width(report: dict[str, Any], picture: str) -> list[str]:
     def condition(point: dict[str, Any]) -> tuple[float, str]:
         return point["pressure"] / point["strength"], run_name(point).split("-columns")[0]
 
-    rows, ratios = [], []
+    rows, ratios, least = [], [], []
     figure, axes = pyplot.subplots(1, 2, figsize=(9.6, 4.2), layout="constrained")
     for number, ((share, name), members) in enumerate(groups(points, condition).items()):
         widths = groups(members, lambda point: of[run_name(point)]["columns"])
@@ -70,6 +77,7 @@ def width(report: dict[str, Any], picture: str) -> list[str]:
                     "" if enough is None else "yes" if enough else "no",
                 ]
             )
+        least.append(f"{name} {least_enough(means)}")
         label = f"{name}: $p/\\sigma_0$ = {share:.3g}"
         draw(axes[0], list(widths), means, f"C{number}", label)
         draw(axes[1], list(junctions.values()), means, f"C{number}")
@@ -84,7 +92,12 @@ def width(report: dict[str, Any], picture: str) -> list[str]:
     axes[0].legend(fontsize=8, ncols=2, loc="lower center")
     save_figure(figure, picture)
     head = ["", "p/sigma_0", "junctions", "runs", "mu", f"of {WIDEST}", "smooth", "enough"]
-    return table(head, rows) + decided(ratios)
+    return [
+        *table(head, rows),
+        "",
+        f"least columns that are enough: {', '.join(least)}",
+        *decided(ratios),
+    ]
 
 
 def draw(axes: Any, x: list[Any], means: Any, colour: str, label: str | None = None) -> None:

@@ -141,7 +141,7 @@ def test_a_fragment_that_is_too_narrow_is_warned_of(
     found = report["points"][0]["junctions"]
     assert found == (junctions if junctions is None else pytest.approx(junctions))
     narrow = junctions is not None and junctions < 10
-    told = f"({junctions or 0:.2g} junctions at once): too narrow for the load: with less than 10"
+    told = f"({junctions or 0:.2g} junctions at once): mu scatters with less than 10"
     assert (told in result.stderr) == narrow and len(report["warnings"]) == narrow
 
 

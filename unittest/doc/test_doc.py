@@ -213,7 +213,7 @@ def test_bounds_of_a_solid_layer():
     text = " ".join(page("friction_log.md").split())
     assert f"$1 - p/K - {bounds['sinkAllowance']}$" in text
     assert f"by more than {bounds['fallAllowance']} of the work" in text
-    assert f"With fewer than {float(bounds['leastJunctions']):g} it wears smooth" in text
+    assert f"With fewer than {float(bounds['leastJunctions']):g} mu scatters" in text
     assert f"more than {100 * layer_health.SMOOTH:g} % of the way were smooth" in text
 
 
@@ -361,7 +361,7 @@ def test_script_runs(script, tmp_path):
     assert done.returncode == 0, done.stdout[-3000:]
     # July 2026 says so of a plugin's command when `clear` loads the plugin again; samples of pages,
     # but for the README's, are small
-    expected = ["Overriding built-in command style mca_links", "too narrow for its load"]
+    expected = ["Overriding built-in command style mca_links", "may rub half as much as a wide one"]
     warnings = [
         line
         for line in done.stdout.splitlines()

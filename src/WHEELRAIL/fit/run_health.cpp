@@ -151,7 +151,8 @@ const std::vector<Doubt> &doubts()
        "junctions"},
       {[](const RunHealth &h) { return h.slides && h.junctions < health::leastJunctions; },
        [](const RunHealth &h) { return fmt::format("{:.2g} junctions at once", h.junctions); },
-       "too narrow for the load: with less than 10 junctions a fragment wears smooth for a while"},
+       "mu scatters with less than 10, and a fragment of less than 160 automata in a layer may rub "
+       "half as much as a wide one, or a quarter more"},
   };
   return all;
 }
