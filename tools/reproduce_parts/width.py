@@ -92,12 +92,7 @@ def width(report: dict[str, Any], picture: str) -> list[str]:
     axes[0].legend(fontsize=8, ncols=2, loc="lower center")
     save_figure(figure, picture)
     head = ["", "p/sigma_0", "junctions", "runs", "mu", f"of {WIDEST}", "smooth", "enough"]
-    return [
-        *table(head, rows),
-        "",
-        f"least columns that are enough: {', '.join(least)}",
-        *decided(ratios),
-    ]
+    return [*table(head, rows), "", f"columns by the rule: {', '.join(least)}", *decided(ratios)]
 
 
 def draw(axes: Any, x: list[Any], means: Any, colour: str, label: str | None = None) -> None:

@@ -336,7 +336,7 @@ def test_width_tells_what_is_enough(tmp_path):
         assert [row.split()[-1] for row in rows] == ends, text
         assert line(text, f"{name}: 40 columns")[-2] == pytest.approx(-10, abs=1)
     everywhere = ", ".join(f"{n} 80" for n in ("light", "hard", "strong", "base", "slow", "heavy"))
-    assert f"least columns that are enough: {everywhere}\n" in text
+    assert f"columns by the rule: {everywhere}\n" in text
     by_columns, by_junctions = (line(text, f"by {of}:")[0] for of in ("columns", "junctions"))
     assert by_columns < 1 and 5 < by_junctions < 20
 
