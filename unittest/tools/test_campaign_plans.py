@@ -378,7 +378,7 @@ SHIPPED = {
     "temperature": 17,
     "rail": 80,
     "rail-checks": 30,
-    "space": 18,
+    "space": 19,
     "laws": 232,
     "laws-long": 68,
 }
