@@ -394,6 +394,12 @@ FIGURES = {
         LATE,
     ),
     "width": Figure(f"How wide a fragment has to be, {FROM}", ["width"], width.width, START),
+    "width-long": Figure(
+        f"Slow blocks over 1000 nm, from {width.SETTLED} nm on",
+        ["width-long"],
+        width.width_long,
+        ["--start-distance", str(width.SETTLED)],
+    ),
     "light": Figure(
         f"Light loads in blocks of 640 columns, {FROM}",
         ["light", "pressure", "paper36"],

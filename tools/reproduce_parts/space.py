@@ -13,11 +13,7 @@ from mcawr.replicas import NORMAL, groups, mean_of
 from . import layer
 from .common import Missing, percent, quotient, run_name, table, with_own_errors
 
-OTHER_SIZES = {
-    "wide": "twice the area",
-    "tall": "12 layers more",
-    "strong-wide": "twice the area",
-}
+OTHER_SIZES = {"wide": "twice the area", "tall": "12 layers more", "strong-wide": "twice the area"}
 QUANTITIES = {"velocity": "v (m/s)", "pressure": "p (MPa)", "strength": r"$\sigma_0$ (MPa)"}
 
 

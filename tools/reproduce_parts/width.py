@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How wide a fragment has to be: the plans `width` and `light`, by the rules of
+"""How wide a fragment has to be: the plans `width`, `width-long` and `light`, by the rules of
 doc/how_chosen.md."""
 
 import math
@@ -12,11 +12,16 @@ from campaign_parts import size
 from mcawr.files import save_figure
 from mcawr.replicas import NORMAL, groups, mean_of
 
+from .ageing import over_distance
 from .common import Missing, percent, plan_name, planned, quotient, run_name, table, with_own_errors
 from .dots import dots
+from .layer import window
 
 ENOUGH = 0.03  # of mu: what twice and four times the width may change beyond the errors
 WIDEST = 320  # columns
+SETTLED = 500  # nm from which the means of the plan width-long are taken
+WAYS = ((0, 250), (250, 500), (500, 750), (750, 1000))  # nm of sliding
+BLOCK = 50  # nm over which the picture of width-long takes means
 
 
 def is_enough(means: dict[int, tuple[float, float]], columns: int) -> bool | None:
@@ -112,6 +117,62 @@ def decided(ratios: list[tuple[int, float, float]]) -> list[str]:
         scatter, bins = scatter_in_bins([row[at] for row in ratios], values)
         lines.append(f"  by {title}: {100 * scatter:.1f} %, {bins} bins")
     return lines
+
+
+def width_long(report: dict[str, Any], picture: str) -> list[str]:
+    """mu of slow blocks against the distance slid (nm), and what of their columns is enough."""
+    points = with_own_errors(report["report"]["points"])
+    of, last = planned("width-long", points), WAYS[-1][1]
+    conditions = groups(points, lambda point: run_name(point).split("-")[0])
+    figure, panels = pyplot.subplots(
+        1, len(conditions), figsize=(10, 4), sharey=True, squeeze=False, layout="constrained"
+    )
+    rows, enough_from = [], []
+    for axes, (name, members) in zip(panels[0], conditions.items()):
+        widths = groups(members, lambda point: of[run_name(point)]["columns"])
+        means = {columns: mean_of(runs) for columns, runs in widths.items()}
+        paper = members[0]["mu_eq2"]
+        for number, (columns, runs) in enumerate(widths.items()):
+            series = [over_distance(run) for run in runs]
+            draw_ways(axes, series, f"C{number}", f"{columns} columns")
+            (mu, error), enough = means[columns], is_enough(means, columns)
+            rows.append(
+                [
+                    f"{name}: {columns} columns",
+                    f"{size.junctions(of[run_name(runs[0])]):.2g}",
+                    str(len(runs)),
+                    *(f"{window(series, low, high, 5)[0]:.3f}" for low, high in WAYS),
+                    f"{mu:.3f} +- {error:.3f}",
+                    f"{paper:.3f}",
+                    percent(mu, means[WIDEST][0]) if WIDEST in means and columns < WIDEST else "",
+                    "" if enough is None else "yes" if enough else "no",
+                ]
+            )
+        if len(means) > 1:
+            enough_from.append(f"{name} {least_enough(means)}")
+        axes.axhline(paper, color="k", ls=":", lw=1, label="Eq. 2")
+        axes.axvline(SETTLED, color="k", ls="--", lw=1)
+        axes.set(title=name, xlabel="distance slid (nm)", xlim=(0, last), ylim=(0, None))
+        axes.grid(alpha=0.3)
+        axes.legend()
+    panels[0][0].set_ylabel(f"$\\mu$ over {BLOCK} nm")
+    save_figure(figure, picture)
+    ways = [f"{low}-{high} nm" for low, high in WAYS]
+    head = ["", "junctions", "runs", *ways, f"from {SETTLED} nm", "Eq. 2", f"of {WIDEST}", "enough"]
+    return [*table(head, rows), "", f"columns by the rule: {', '.join(enough_from)}"]
+
+
+def draw_ways(axes: Any, series: list[Any], colour: str, label: str) -> None:
+    """mu of the runs (distances in nm, mu) of one width, means over BLOCK nm."""
+    blocks = [(low, low + BLOCK) for low in range(0, WAYS[-1][1], BLOCK)]
+    for number, one in enumerate(series):
+        axes.plot(
+            [0.5 * (low + high) for low, high in blocks],
+            [window([one], low, high, 2)[0] for low, high in blocks],
+            color=colour,
+            ls=("-", "--")[number % 2],
+            label=None if number else label,
+        )
 
 
 def light(report: dict[str, Any], picture: str) -> list[str]:

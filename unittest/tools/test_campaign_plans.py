@@ -372,7 +372,7 @@ SHIPPED = {
     "convergence": 24,
     "ductility": 28,
     "width": 84,
-    "width-long": 6,
+    "width-long": 8,
     "light": 6,
     "own-material": 10,
     "temperature": 17,

@@ -341,6 +341,24 @@ def test_width_tells_what_is_enough(tmp_path):
     assert by_columns < 1 and 5 < by_junctions < 20
 
 
+@pytest.mark.parametrize("factor, rule", ((0.98, 80), (0.9, 320)))
+def test_width_long_tells_what_is_enough(tmp_path, factor, rule):
+    """Below 320 columns mu is this factor of that of 320."""
+
+    def of_run(run):
+        return 1.0 if run.values["columns"] == 320 else factor
+
+    logs(tmp_path, "width-long", of_run, ns=1010)
+    text = made(tmp_path, "width-long", reproduce(tmp_path, "width-long"))
+    enough = "yes" if rule < 320 else "no"
+    for name in ("slow: 80 columns", "slow: 160 columns"):
+        assert line(text, name)[-1] == pytest.approx(100 * (factor - 1), abs=1)
+        assert next(row for row in text.splitlines() if row.startswith(name)).endswith(enough)
+    *_, mu, _, eq2 = line(text, "v1: 80 columns")
+    assert mu == pytest.approx(factor * eq2, abs=0.002)
+    assert f"columns by the rule: slow {rule}\n" in text
+
+
 def test_light_loads_over_those_of_narrow_blocks(tmp_path):
     for plan, factor in (("light", 1.2), ("pressure", 1.0), ("paper36", 1.0)):
         logs(tmp_path, plan, lambda run, factor=factor: factor)
