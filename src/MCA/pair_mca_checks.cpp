@@ -93,7 +93,8 @@ double PairMCA::wave_speed(int type) const
 
 /* ----------------------------------------------------------------------
    Nothing is nan or infinite, and nothing jumps over its neighbours. A sum of zeros tells, so that
-   the loop has no branch; who it is, is looked for only then.
+   the loop has no branch; who it is, is looked for only then. The plastic strain tells of automata
+   that never move.
 ------------------------------------------------------------------------- */
 
 void PairMCA::check_sample() const
@@ -112,6 +113,9 @@ void PairMCA::check_sample() const
     zero += 0.0 * x[k] + 0.0 * v[k] + 0.0 * omega[k];
     speed = std::max(speed, std::abs(v[k]));
   }
+  const double *kappa = state(mca::stateNumber("kappa"));
+  for (int i = 0; i < atom->nlocal; i++)
+    zero += 0.0 * kappa[i];
   int bad = !(zero == 0.0) || !(speed < fastest), any;
   MPI_Allreduce(&bad, &any, 1, MPI_INT, MPI_MAX, world);
   if (!any)
@@ -120,19 +124,25 @@ void PairMCA::check_sample() const
   struct Array {
     const char *name;
     const double *values;
+    int length;     // of the values of an automaton
     double largest; // not reached
   };
-  const Array arrays[] = {
-      {"place", x, HUGE_VAL}, {"velocity", v, fastest}, {"angular velocity", omega, HUGE_VAL}};
+  const Array arrays[] = {{"place", x, 3, HUGE_VAL},
+                          {"velocity", v, 3, fastest},
+                          {"angular velocity", omega, 3, HUGE_VAL},
+                          {"plastic strain", kappa, 1, HUGE_VAL}};
   constexpr int many = sizeof(arrays) / sizeof(arrays[0]);
   std::vector<tagint> found; // IDs, with the number of the array
   for (int i = 0; i < atom->nlocal; i++)
-    for (int a = 0; a < many; a++)
-      if (!std::all_of(arrays[a].values + 3 * i, arrays[a].values + 3 * i + 3,
-                       [&](double value) { return std::abs(value) < arrays[a].largest; })) {
+    for (int a = 0; a < many; a++) {
+      const Array &array = arrays[a];
+      const double *values = array.values + array.length * i;
+      if (!std::all_of(values, values + array.length,
+                       [&](double value) { return std::abs(value) < array.largest; })) {
         found.push_back(atom->tag[i] * many + a);
         break;
       }
+    }
 
   static constexpr size_t named = 5; // automata in the message
   const tagint none = MAXTAGINT;

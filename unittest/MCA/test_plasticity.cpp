@@ -116,6 +116,10 @@ TEST(Plasticity, SecondReturnTakesWhatTheFirstShowsToBeNeeded)
   EXPECT_DOUBLE_EQ(secondReturn(first, I, I + 5, Y, G).factor, alone.factor);
   // neighbours took three times as much as needed
   EXPECT_NEAR(1 - secondReturn(first, I, I - 3 * (I - Y), Y, G).factor, (1 - first) / 3, 1e-15);
+  // at the yield stress, where the intensity of the second pass may round to less than it
+  const RadialReturn least = secondReturn(1 - 1e-16, Y * (1 - 2e-16), Y * (1 - 2e-16), Y, G);
+  EXPECT_NEAR(least.factor, 1, 1e-15);
+  EXPECT_NEAR(least.strain, 0, 1e-15);
   // far above the yield stress no stress is turned round
   EXPECT_EQ(secondReturn(0.1, 10 * Y, 9 * Y, Y, G).factor, 0.0);
 }

@@ -288,6 +288,16 @@ def test_nan_ends_the_run(tmp_path, ranks, steps):
     assert "nan" not in (tmp_path / "x.friction").read_text()
 
 
+@pytest.mark.parametrize("ranks", RANKS)
+def test_a_plastic_strain_that_is_infinite_ends_the_run(tmp_path, ranks):
+    """Of an automaton that is held, too, whose place tells nothing."""
+    script = BLOCK + "fix hold all freeze\nrun 10\nvariable bad atom exp(1e3)\n"
+    result = fails(
+        script + "set atom 5 d_mca_kappa v_bad\nrun 10\n", tmp_path, "Automata 5:", ranks=ranks
+    )
+    assert "plastic strain is nan, infinite" in "\n".join(result.error_lines)
+
+
 def test_automata_at_one_place(tmp_path):
     script = HEAD + BOX + "create_atoms 1 single 10.1 5.1 0 units box\n" + LAWS + MOVED
     fails(script.replace("mca_links create all all\n", "") + "run 1\n", tmp_path, "overlap")

@@ -150,7 +150,8 @@ inline RadialReturn secondReturn(double factor, double intensity, double returne
                                  double yieldStress, double shearModulus, double most = 1.0)
 {
   const double excess = intensity - yieldStress, taken = intensity - returned;
-  const double share = taken > 0.5 * excess ? excess / taken : 2.0;
+  // at the yield stress the excess may round to less than 0, with nothing taken
+  const double share = excess > 0.0 && taken > 0.5 * excess ? excess / taken : 2.0;
   const double wanted = (1.0 - factor) * share, part = wanted < most ? wanted : most;
   return {1.0 - part, part * intensity / (3.0 * shearModulus)};
 }
