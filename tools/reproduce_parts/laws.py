@@ -32,6 +32,7 @@ SHORT = {
     "worn ": "",
 }
 BESIDE = ("d", "c", "b")  # go on whatever they give
+NO_SOLID = "!: no solid"  # in the log of a run at least
 
 
 @dataclasses.dataclass
@@ -140,7 +141,7 @@ class Found:
     @property
     def label(self) -> str:
         """The name, marked where it is no solid."""
-        return self.name + ("" if self.solid else " !")
+        return self.name + ("" if self.solid else f" {NO_SOLID[0]}")
 
     @property
     def is_whole(self) -> bool:
@@ -243,7 +244,7 @@ def first_step(sets: list[Found]) -> list[str]:
         *table(["mu, errors of the last digit", *FIRST, "soft/base", "RMS %"], rows),
         "",
         "RMS of mu over Eq. 2 less 1; weld: 1, heal: 1 healed_strain yield_strain, one kind: link",
-        "1 weld none heal none; !: no solid",
+        f"1 weld none heal none; {NO_SOLID}",
         f"{done} runs, {len(whole)} of 37 sets beside {', '.join(BESIDE)} complete and solid",
     ]
 
@@ -317,4 +318,5 @@ def laws_long(report: dict[str, Any], picture: str) -> list[str]:
     ]
     tables = [*mu_table(sets, FIRST), "", *mu_table(sets, SECOND)]
     seeds = [seeds_differ(s) for s in sets if s.seeds]
-    return [*tables, "", *away, *seeds, *invariances(sets)]
+    marked = [] if all(s.solid for s in sets) else [NO_SOLID]
+    return [*tables, "", *away, *seeds, *marked, *invariances(sets)]

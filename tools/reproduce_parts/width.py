@@ -139,7 +139,6 @@ def width_long(report: dict[str, Any], picture: str) -> list[str]:
             rows.append(
                 [
                     f"{name}: {columns} columns",
-                    f"{size.junctions(of[run_name(runs[0])]):.2g}",
                     str(len(runs)),
                     *(f"{window(series, low, high, 5)[0]:.3f}" for low, high in WAYS),
                     f"{mu:.3f} +- {error:.3f}",
@@ -157,8 +156,8 @@ def width_long(report: dict[str, Any], picture: str) -> list[str]:
         axes.legend()
     panels[0][0].set_ylabel(f"$\\mu$ over {BLOCK} nm")
     save_figure(figure, picture)
-    ways = [f"{low}-{high} nm" for low, high in WAYS]
-    head = ["", "junctions", "runs", *ways, f"from {SETTLED} nm", "Eq. 2", f"of {WIDEST}", "enough"]
+    ways = [f"{low}-{high}" for low, high in WAYS]
+    head = ["mu over nm", "runs", *ways, f"from {SETTLED}", "Eq. 2", f"of {WIDEST}", "enough"]
     return [*table(head, rows), "", f"columns by the rule: {', '.join(enough_from)}"]
 
 
