@@ -40,6 +40,16 @@ def least_enough(means: dict[int, tuple[float, float]]) -> int:
     return enough[0]
 
 
+def against_wider(means: dict[int, tuple[float, float]], columns: int) -> tuple[str, str]:
+    """Cells of a width: its mu against that of the widest, and whether it is enough; both empty of
+    the widest."""
+    if WIDEST not in means or columns == WIDEST:
+        of_widest = ""
+    else:
+        of_widest = percent(means[columns][0], means[WIDEST][0])
+    return of_widest, {None: "", True: "yes", False: "no"}[is_enough(means, columns)]
+
+
 def scatter_in_bins(numbers: list[float], ratios: list[float]) -> tuple[float, int]:
     """Rule 2: (standard deviation of ratios from the means of their bins, a factor 2 of their
     numbers wide, number of bins). Each bin has lost the degree of freedom of its mean, so that many
@@ -67,7 +77,7 @@ def width(report: dict[str, Any], picture: str) -> list[str]:
         junctions = {n: size.junctions(of[run_name(runs[0])]) for n, runs in widths.items()}
         for columns, runs in widths.items():
             (mu, error), (smooth, _) = means[columns], mean_of(runs, "smooth")
-            enough = is_enough(means, columns)
+            of_widest, enough = against_wider(means, columns)
             if WIDEST in means and columns < WIDEST:
                 ratios.append((columns, junctions[columns], mu / means[WIDEST][0]))
             rows.append(
@@ -77,9 +87,9 @@ def width(report: dict[str, Any], picture: str) -> list[str]:
                     f"{junctions[columns]:.2g}",
                     str(len(runs)),
                     f"{mu:.3f} +- {error:.3f}",
-                    percent(mu, means[WIDEST][0]) if WIDEST in means and columns < WIDEST else "",
+                    of_widest,
                     f"{100 * smooth:.0f} %",
-                    "" if enough is None else "yes" if enough else "no",
+                    enough,
                 ]
             )
         least.append(f"{name} {least_enough(means)}")
@@ -135,7 +145,7 @@ def width_long(report: dict[str, Any], picture: str) -> list[str]:
         for number, (columns, runs) in enumerate(widths.items()):
             series = [over_distance(run) for run in runs]
             draw_ways(axes, series, f"C{number}", f"{columns} columns")
-            (mu, error), enough = means[columns], is_enough(means, columns)
+            (mu, error), (of_widest, enough) = means[columns], against_wider(means, columns)
             rows.append(
                 [
                     f"{name}: {columns} columns",
@@ -143,8 +153,8 @@ def width_long(report: dict[str, Any], picture: str) -> list[str]:
                     *(f"{window(series, low, high, 5)[0]:.3f}" for low, high in WAYS),
                     f"{mu:.3f} +- {error:.3f}",
                     f"{paper:.3f}",
-                    percent(mu, means[WIDEST][0]) if WIDEST in means and columns < WIDEST else "",
-                    "" if enough is None else "yes" if enough else "no",
+                    of_widest,
+                    enough,
                 ]
             )
         if len(means) > 1:
